@@ -21,6 +21,7 @@ import no.hials.crosscom.cli.variables.RecordCommand;
 import no.hials.crosscom.cli.variables.VarsCommand;
 import no.hials.crosscom.cli.variables.WatchCommand;
 import no.hials.crosscom.cli.variables.WriteCommand;
+import no.hials.crosscom.cli.web.WebCommand;
 import picocli.CommandLine;
 import picocli.CommandLine.Help;
 import picocli.CommandLine.Help.Column;
@@ -34,7 +35,7 @@ import picocli.CommandLine.Model.UsageMessageSpec;
 enum Commands {
   VARIABLES("Variables:", "read", "write", "vars", "shell", "run"),
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
-  CONTROL("Control:", "drive"),
+  CONTROL("Control:", "web", "drive"),
   MEASURING("Measuring:", "watch", "record", "plot", "bench"),
   SIMULATION("Simulated controller:", "mock", "krl", "experiment"),
   HELP("Help:", "help");
@@ -62,6 +63,7 @@ enum Commands {
       case "record" -> new RecordCommand();
       case "plot" -> new PlotCommand();
       case "bench" -> new BenchCommand();
+      case "web" -> new WebCommand();
       case "drive" -> new DriveCommand();
       case "info" -> new InfoCommand();
       case "discover" -> new DiscoverCommand();

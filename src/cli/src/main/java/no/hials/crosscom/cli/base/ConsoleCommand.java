@@ -117,7 +117,7 @@ public abstract class ConsoleCommand implements Callable<Integer> {
   }
 
   /** Parses the argument of an option as picocli does, after all options are known. */
-  protected final <T> T argument(String option, String text, Function<String, T> parser) {
+  public final <T> T argument(String option, String text, Function<String, T> parser) {
     try {
       return parser.apply(text);
     } catch (IllegalArgumentException e) {

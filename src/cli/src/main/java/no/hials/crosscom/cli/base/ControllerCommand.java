@@ -7,10 +7,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.regex.Pattern;
-import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.HostAndPort;
-import no.hials.crosscom.cell.Profiles;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.protocol.ServerType;
@@ -101,16 +98,9 @@ public abstract class ControllerCommand extends ConsoleCommand {
    * @throws FileException if the configuration file has an error, or lacks the robot
    */
   protected final List<Robot> targets() throws FileException {
-    EnvironmentSettings environment = EnvironmentSettings.of(this);
-    boolean named = !robots.isEmpty();
-    List<Robot> result = new ArrayList<>();
-    for (Robot target : chosen(environment)) {
-      Duration own = target.timeout();
-      // the default robot has the lowest precedence
-      Duration lesser = named ? or(own, environment.timeout()) : or(environment.timeout(), own);
-      result.add(withOptions(target, or(timeout, lesser), environment.readOnly()));
-    }
-    return result;
+    return new RobotChoice(
+            this, "--host", host, "--port", port, robots, mock, simulated(), server, charset, timeout)
+        .targets();
   }
 
   /**
@@ -122,63 +112,6 @@ public abstract class ControllerCommand extends ConsoleCommand {
       throw wrongUsage("this command takes one robot, " + targets.size() + " are given");
     }
     return targets.get(0);
-  }
-
-  private List<Robot> chosen(EnvironmentSettings environment) throws FileException {
-    if (host != null && mock) {
-      throw wrongUsage("--host and --mock exclude each other");
-    }
-    if (!robots.isEmpty()) {
-      if (host != null || mock) {
-        String other = mock ? "--mock" : "--host";
-        throw wrongUsage(other + " and @" + names().get(0) + " exclude each other");
-      }
-      return named();
-    }
-    if (mock) {
-      return List.of(new Robot("", null, 0, null, null, simulated(), null));
-    }
-    if (host != null) {
-      HostAndPort at = argument("--host", host, HostAndPort::parse);
-      int itsPort = argument("--host", host, text -> at.portOr(port, ClientConfig.DEFAULT_PORT));
-      return List.of(new Robot("", at.host(), itsPort, null, null, null, null));
-    }
-    if (environment.host() != null) {
-      return List.of(new Robot("", environment.host(), environment.port(), null, null, null, null));
-    }
-    Profiles profiles = Profiles.read(console()::environment, simulated());
-    if (profiles == null || profiles.defaultRobot() == null) {
-      throw wrongUsage(
-          "which controller? give --host HOST, or --mock for a simulated one"
-              + (profiles == null ? "" : ", or @NAME for a robot of " + profiles.file()));
-    }
-    return List.of(profiles.robot(profiles.defaultRobot()));
-  }
-
-  /** Returns the names of {@code --robot NAME} and {@code @NAME}. */
-  private List<String> names() {
-    return robots.stream().map(name -> name.startsWith("@") ? name.substring(1) : name).toList();
-  }
-
-  private List<Robot> named() throws FileException {
-    List<String> names = names();
-    if (names.contains("")) {
-      throw wrongUsage("the name of the robot is missing: @NAME, without a blank after @");
-    }
-    Profiles profiles = Profiles.read(console()::environment, simulated());
-    List<Robot> result = new ArrayList<>();
-    for (String name : names) {
-      if (profiles == null) {
-        throw new FileException(
-            "no robot is named " + name + ": there is no " + Profiles.path(console()::environment));
-      }
-      Robot robot = profiles.robot(name);
-      if (result.contains(robot)) {
-        throw wrongUsage("@" + name + " is given twice");
-      }
-      result.add(robot);
-    }
-    return result;
   }
 
   /** Returns the server of a simulated controller if the user does not choose one. */
@@ -207,26 +140,5 @@ public abstract class ControllerCommand extends ConsoleCommand {
     if (names.stream().anyMatch(String::isBlank)) {
       throw wrongUsage("a name is blank; in a shell, names with $ need single quotes: '$OV_PRO'");
     }
-  }
-
-  private Robot withOptions(Robot target, @Nullable Duration limit, boolean readOnly) {
-    if (target.host() == null && port != null) {
-      throw wrongUsage("--port goes with --host; a simulated controller takes a free port");
-    }
-    if (target.host() != null && server != null) {
-      throw wrongUsage("--server goes with --mock");
-    }
-    return new Robot(
-        target.name(),
-        target.host(),
-        port == null ? target.port() : port,
-        limit,
-        readOnly ? "JOPENSHOWVAR_READ_ONLY=true" : target.readOnlyBy(),
-        server == null ? target.server() : server,
-        charset == null ? target.charset() : charset);
-  }
-
-  private static @Nullable Duration or(@Nullable Duration first, @Nullable Duration second) {
-    return first == null ? second : first;
   }
 }

@@ -11,7 +11,7 @@ import java.util.TreeSet;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Suggestions;
-import no.hials.crosscom.cli.base.ValueText;
+import no.hials.crosscom.cell.ValueText;
 import picocli.CommandLine.TypeConversionException;
 
 /** A parsed line of the shell language; the same for typed lines, pipes and files. */

@@ -1,9 +1,8 @@
-package no.hials.crosscom.cli.base;
+package no.hials.crosscom.cell;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.regex.Pattern;
-import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;

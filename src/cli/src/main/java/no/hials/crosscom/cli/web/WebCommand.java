@@ -1,0 +1,211 @@
+package no.hials.crosscom.cli.web;
+
+import java.io.IOException;
+import java.net.BindException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.Profiles;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cli.base.CannotListenException;
+import no.hials.crosscom.cli.base.ConsoleCommand;
+import no.hials.crosscom.cli.base.Converters;
+import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.cli.base.LoadedFiles;
+import no.hials.crosscom.cli.base.RobotChoice;
+import no.hials.crosscom.cli.base.Robots;
+import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.Archive;
+import no.hials.crosscom.simulator.LoadingMode;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.WebConfig;
+import no.hials.crosscom.web.WebServer;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+
+/** {@code web}. */
+@Command(
+    name = "web",
+    description = {
+      "Shows robots on a web page until Ctrl-C: variables, charts, programs and messages.",
+      "The first line of stdout is the link to open, which works once."
+    },
+    footer = {
+      "",
+      "The page is on the loopback address: only browsers on this computer reach it. A robot is"
+          + " read-only until somebody unlocks it on the page, and always with --read-only. Every"
+          + " change is a line of audit.jsonl in the folder of --data.",
+      "",
+      "Ctrl-C (SIGINT) and SIGTERM end the command with exit code 0.",
+      "",
+      "Examples:",
+      "  jopenshowvar web --mock --open",
+      "  jopenshowvar web @cell1 @cell2 --read-only",
+      "  jopenshowvar web --mock --archive cell.zip --port 0"
+    })
+public final class WebCommand extends ConsoleCommand {
+  private static final int PORT = 8080;
+
+  @Option(
+      names = "--robot",
+      paramLabel = "NAME",
+      description =
+          "A robot of the configuration file; short form: @NAME. Can be repeated. Without --robot,"
+              + " --controller and --mock: JOPENSHOWVAR_HOST, or the default robot of the file; see"
+              + " 'jopenshowvar --help'.")
+  private List<String> robots = new ArrayList<>();
+
+  @Option(
+      names = "--controller",
+      paramLabel = "HOST",
+      description = "Name or address of a controller; also HOST:PORT or [IPV6]:PORT.")
+  private @Nullable String controller;
+
+  @Option(
+      names = "--mock",
+      description =
+          "Use a simulated controller (KR 6 R900 sixx, KR C4), which runs only during this"
+              + " command.")
+  private boolean mock;
+
+  @Option(
+      names = "--server",
+      paramLabel = "SERVER",
+      completionCandidates = Converters.ServerName.class,
+      description =
+          "Server of the simulated controller: c3 for C3 Bridge (default), or kukavarproxy. The"
+              + " type of a real server is detected.")
+  private @Nullable ServerType server;
+
+  @Option(
+      names = "--archive",
+      paramLabel = "PATH",
+      description =
+          "Load the archive of a controller, a zip or a folder, into the simulated controller.")
+  private @Nullable Path archive;
+
+  @Option(
+      names = "--timeout",
+      paramLabel = "TIME",
+      description =
+          "Maximum time to wait for a connection and for each answer of a controller, such as"
+              + " 500ms or 3s. Default: 5s for the connection, 3s for an answer.")
+  private @Nullable Duration timeout;
+
+  @Option(
+      names = "--port",
+      paramLabel = "PORT",
+      converter = Converters.ListeningPort.class,
+      description = "TCP port of the page, 0 for a free one. Default: 8080.")
+  private int port = PORT;
+
+  @Option(
+      names = "--data",
+      paramLabel = "FOLDER",
+      description =
+          "Folder for watch lists, recordings and the audit log. Default: the folder web next to"
+              + " the configuration file.")
+  private @Nullable Path data;
+
+  @Option(names = "--open", description = "Open the link in the browser.")
+  private boolean open;
+
+  @Option(
+      names = "--read-only",
+      description = "Refuse to send anything that changes a controller.")
+  private boolean readOnly;
+
+  @Override
+  public ExitCode run() throws IOException {
+    RobotChoice choice =
+        new RobotChoice(
+            this,
+            "--controller",
+            controller,
+            "--controller HOST:PORT",
+            null,
+            robots,
+            mock,
+            ServerType.C3_BRIDGE,
+            server,
+            null,
+            timeout);
+    List<Robot> targets = choice.targets();
+    if (archive != null && !mock) {
+      throw wrongUsage("--archive goes with --mock");
+    }
+    LoadedFiles loaded = new LoadedFiles(false);
+    Archive opened = archive == null ? null : LoadedFiles.open(List.of(archive));
+    Path folder =
+        data == null ? Profiles.path(console()::environment).resolveSibling("web") : data;
+    WebConfig config =
+        WebConfig.create(
+            cfg ->
+                cfg.robots(named(targets))
+                    .opener((robot, settings) -> connect(robot, settings, opened, loaded.mode()))
+                    .folder(folder)
+                    .port(port)
+                    .readOnly(readOnly));
+    try (StopSignal stop = new StopSignal();
+        WebServer page = start(config)) {
+      String link = page.link(Role.JOG);
+      console().print(link);
+      if (open) {
+        Browser.open(link).ifPresent(console()::error);
+      }
+      stop.await();
+      return ExitCode.DONE;
+    }
+  }
+
+  /** Returns the robots with names: one of the options is called by its address, or {@code mock}. */
+  private static List<Robot> named(List<Robot> targets) {
+    return targets.stream()
+        .map(
+            it ->
+                it.name().isEmpty()
+                    ? new Robot(
+                        it.host() == null ? "mock" : it.host(),
+                        it.host(),
+                        it.port(),
+                        it.timeout(),
+                        it.readOnlyBy(),
+                        it.server(),
+                        it.charset())
+                    : it)
+        .toList();
+  }
+
+  private static RobotConnection connect(
+      Robot robot,
+      Consumer<ClientConfig.Builder> settings,
+      @Nullable Archive archive,
+      LoadingMode mode)
+      throws IOException {
+    return robot.host() == null
+        ? Robots.open(
+            robot,
+            settings,
+            cfg -> {
+              if (archive != null) {
+                cfg.archive(archive, mode);
+              }
+            })
+        : RobotConnection.openLazily(robot, settings);
+  }
+
+  private static WebServer start(WebConfig config) throws IOException {
+    try {
+      return WebServer.start(config);
+    } catch (BindException e) {
+      throw new CannotListenException(
+          "cannot listen on port " + config.port() + ": " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,116 @@
+package no.hials.crosscom.web;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Objects;
+import java.util.function.Consumer;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import org.jspecify.annotations.Nullable;
+
+/** The options of a {@link WebServer}. Immutable; the {@link Builder} describes the options. */
+public final class WebConfig {
+  private final List<Robot> robots;
+  private final RobotConnection.Opener opener;
+  private final Path folder;
+  private final int port;
+  private final boolean readOnly;
+
+  private WebConfig(Builder builder) {
+    robots = List.copyOf(builder.robots);
+    opener = builder.opener;
+    folder = Objects.requireNonNull(builder.folder, "folder");
+    port = builder.port;
+    readOnly = builder.readOnly;
+    if (robots.isEmpty()) {
+      throw new IllegalArgumentException("name at least one robot");
+    }
+  }
+
+  /**
+   * Creates a configuration.
+   *
+   * @param settings sets the robots, the folder, and the options that differ from their defaults
+   * @throws IllegalArgumentException if a value is out of its range
+   */
+  public static WebConfig create(Consumer<Builder> settings) {
+    Builder builder = new Builder();
+    settings.accept(builder);
+    return new WebConfig(builder);
+  }
+
+  /** Returns the robots of the page, in its order. */
+  public List<Robot> robots() {
+    return robots;
+  }
+
+  /** Returns what connects to the robots. */
+  public RobotConnection.Opener opener() {
+    return opener;
+  }
+
+  /** Returns the folder for watch lists, recordings and the audit log. */
+  public Path folder() {
+    return folder;
+  }
+
+  /** Returns the port on the loopback address; 0 for a free one. */
+  public int port() {
+    return port;
+  }
+
+  /** Returns whether nothing may be changed on any robot. */
+  public boolean readOnly() {
+    return readOnly;
+  }
+
+  /** Sets the options. Each method sets one option and returns this builder. */
+  public static final class Builder {
+    private List<Robot> robots = List.of();
+    private RobotConnection.Opener opener = RobotConnection::openLazily;
+    private @Nullable Path folder;
+    private int port = 8080;
+    private boolean readOnly;
+
+    private Builder() {}
+
+    /** Sets the robots of the page, at least one. A robot without a name is called {@code robot}. */
+    public Builder robots(List<Robot> value) {
+      robots = List.copyOf(value);
+      return this;
+    }
+
+    /**
+     * Sets what connects to the robots and starts the simulated ones. The default connects in the
+     * background, and knows no simulated robots.
+     */
+    public Builder opener(RobotConnection.Opener value) {
+      opener = Objects.requireNonNull(value, "opener");
+      return this;
+    }
+
+    /**
+     * Sets the folder for watch lists, recordings and the audit log, created when it is needed.
+     * There is no default.
+     */
+    public Builder folder(Path value) {
+      folder = Objects.requireNonNull(value, "folder");
+      return this;
+    }
+
+    /** Sets the port on the loopback address, 0 for a free one. The default is 8080. */
+    public Builder port(int value) {
+      if (value < 0 || value > 65_535) {
+        throw new IllegalArgumentException("port must be 0 to 65535, is " + value);
+      }
+      port = value;
+      return this;
+    }
+
+    /** Sets whether nothing may be changed on any robot. The default is false. */
+    public Builder readOnly(boolean value) {
+      readOnly = value;
+      return this;
+    }
+  }
+}

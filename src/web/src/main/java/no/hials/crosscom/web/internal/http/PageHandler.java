@@ -1,0 +1,176 @@
+package no.hials.crosscom.web.internal.http;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.jetty.http.HttpCookie;
+import org.eclipse.jetty.http.HttpField;
+import org.eclipse.jetty.http.HttpFields;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpMethod;
+import org.eclipse.jetty.http.HttpStatus;
+import org.eclipse.jetty.server.Handler;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+import org.eclipse.jetty.util.Fields;
+
+/**
+ * Serves the page: turns the token of a link into a session, and gives files to browsers that have
+ * one.
+ */
+public final class PageHandler extends Handler.Abstract.NonBlocking {
+  private static final String TOKEN = "token";
+  private static final String NO_SESSION =
+      "This browser has no session. Open the link that 'jopenshowvar web' has printed; each link"
+          + " works once.";
+
+  private final Tokens tokens;
+  private final PageFiles files = new PageFiles();
+  private final String policy;
+
+  /** The routes by the beginnings of their paths. */
+  private final Map<String, Route> routes = new LinkedHashMap<>();
+
+  public PageHandler(Tokens tokens) throws IOException {
+    this.tokens = tokens;
+    policy =
+        "default-src 'none'; script-src 'self' 'sha256-"
+            + files.importMapHash()
+            + "'; style-src 'self'; connect-src 'self'; img-src 'self' data: blob:;"
+            + " base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+  }
+
+  /**
+   * Adds a route.
+   *
+   * @param path the beginning of its paths, such as {@code /recordings/}
+   */
+  public void add(String path, Route route) {
+    routes.put(path, route);
+  }
+
+  @Override
+  public boolean handle(Request request, Response response, Callback callback) throws Exception {
+    protect(response.getHeaders());
+    if (!HostCheck.isOurs(request)) {
+      return refuse(response, callback, HttpStatus.FORBIDDEN_403, "Not the host of this page.");
+    }
+    String path = Request.getPathInContext(request);
+    if (path.equals("/") && HttpMethod.GET.is(request.getMethod())) {
+      Fields.Field token = Request.extractQueryParameters(request).get(TOKEN);
+      if (token != null) {
+        return open(request, response, callback, token.getValue());
+      }
+    }
+    Optional<BrowserSession> browser = session(request);
+    if (browser.isEmpty()) {
+      return refuse(response, callback, HttpStatus.FORBIDDEN_403, NO_SESSION);
+    }
+    for (Map.Entry<String, Route> route : routes.entrySet()) {
+      if (path.startsWith(route.getKey())) {
+        String rest = path.substring(route.getKey().length());
+        return route.getValue().handle(browser.get(), rest, request, response, callback)
+            || refuse(response, callback, HttpStatus.NOT_FOUND_404, "There is no such file.");
+      }
+    }
+    if (!HttpMethod.GET.is(request.getMethod())) {
+      return refuse(response, callback, HttpStatus.METHOD_NOT_ALLOWED_405, "Only GET is allowed.");
+    }
+    return path.equals("/")
+        ? index(browser.get(), response, callback)
+        : file(path, request, response, callback);
+  }
+
+  /** Sets the headers that keep what is not of this page out of it. */
+  private void protect(HttpFields.Mutable headers) {
+    headers.put("Content-Security-Policy", policy);
+    headers.put("X-Content-Type-Options", "nosniff");
+    headers.put("Referrer-Policy", "no-referrer");
+    headers.put("Cross-Origin-Opener-Policy", "same-origin");
+    headers.put("Cross-Origin-Resource-Policy", "same-origin");
+    headers.put(HttpHeader.CACHE_CONTROL, "no-store");
+  }
+
+  /** Turns the token of a link into the cookie of a session. */
+  private boolean open(Request request, Response response, Callback callback, String token) {
+    Optional<String> key = tokens.open(token);
+    if (key.isEmpty()) {
+      String reason = "This link is not valid, or was used before. " + NO_SESSION;
+      return refuse(response, callback, HttpStatus.FORBIDDEN_403, reason);
+    }
+    HttpCookie cookie =
+        HttpCookie.build(cookieName(request), key.get())
+            .path("/")
+            .httpOnly(true)
+            .sameSite(HttpCookie.SameSite.STRICT)
+            .build();
+    Response.addCookie(response, cookie);
+    response.setStatus(HttpStatus.SEE_OTHER_303);
+    response.getHeaders().put(HttpHeader.LOCATION, "/");
+    callback.succeeded();
+    return true;
+  }
+
+  /** Returns the name of the cookie; browsers do not tell the ports of one host apart. */
+  private static String cookieName(Request request) {
+    InetSocketAddress local =
+        (InetSocketAddress) request.getConnectionMetaData().getLocalSocketAddress();
+    return "jopenshowvar-" + local.getPort();
+  }
+
+  /** Returns the session of the browser that sent a request. */
+  public Optional<BrowserSession> session(Request request) {
+    String name = cookieName(request);
+    return Request.getCookies(request).stream()
+        .filter(cookie -> cookie.getName().equals(name))
+        .findFirst()
+        .flatMap(cookie -> tokens.session(cookie.getValue()));
+  }
+
+  private boolean index(BrowserSession browser, Response response, Callback callback) {
+    response.getHeaders().put(HttpHeader.CONTENT_TYPE, "text/html; charset=utf-8");
+    byte[] page = files.index(browser.newPage()).getBytes(StandardCharsets.UTF_8);
+    response.write(true, ByteBuffer.wrap(page), callback);
+    return true;
+  }
+
+  private boolean file(String path, Request request, Response response, Callback callback)
+      throws IOException {
+    Optional<PageFile> found = files.find(path);
+    if (found.isEmpty()) {
+      return refuse(response, callback, HttpStatus.NOT_FOUND_404, "There is no such file.");
+    }
+    PageFile file = found.get();
+    HttpFields.Mutable headers = response.getHeaders();
+    headers.put(HttpHeader.CACHE_CONTROL, "no-cache"); // asks each time, and mostly gets a 304
+    headers.put(HttpHeader.ETAG, file.tag());
+    headers.put(HttpHeader.VARY, "Accept-Encoding");
+    if (file.tag().equals(request.getHeaders().get(HttpHeader.IF_NONE_MATCH))) {
+      response.setStatus(HttpStatus.NOT_MODIFIED_304);
+      callback.succeeded();
+      return true;
+    }
+    headers.put(HttpHeader.CONTENT_TYPE, file.type());
+    HttpField accepted = request.getHeaders().getField(HttpHeader.ACCEPT_ENCODING);
+    boolean zipped = accepted != null && accepted.contains("gzip");
+    if (zipped) {
+      headers.put(HttpHeader.CONTENT_ENCODING, "gzip");
+    }
+    response.write(true, ByteBuffer.wrap(zipped ? file.zipped() : file.bytes()), callback);
+    return true;
+  }
+
+  /** Answers with a sentence, which is plain text for any browser. */
+  public static boolean refuse(Response response, Callback callback, int status, String reason) {
+    response.setStatus(status);
+    response.getHeaders().put(HttpHeader.CONTENT_TYPE, "text/plain; charset=utf-8");
+    byte[] text = (reason + "\n").getBytes(StandardCharsets.UTF_8);
+    response.write(true, ByteBuffer.wrap(text), callback);
+    return true;
+  }
+}

@@ -1,0 +1,131 @@
+package no.hials.crosscom.web.internal.robot;
+
+import java.io.IOException;
+import java.util.Optional;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.Server;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A robot of the page, with the only connection to its controller.
+ *
+ * <p>It reconnects automatically. What only a simulated controller can do is behind {@link
+ * #simulation}, which is empty for other controllers.
+ */
+public final class RobotSession implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(RobotSession.class);
+  private static final String DEFAULT_NAME = "robot";
+
+  private final String name;
+  private final RobotConnection connection;
+  private final Hub hub;
+  private final Lock lock;
+  private final Header header;
+  private volatile @Nullable Server server;
+
+  /** Receives events from the first attempt to connect on, before the session exists. */
+  private static final class Events {
+    private @Nullable RobotSession session;
+
+    synchronized void changed(ConnectionEvent event) {
+      if (session != null) {
+        session.header.connectionChanged(event);
+      }
+    }
+
+    synchronized void to(RobotSession one) {
+      session = one;
+    }
+  }
+
+  private RobotSession(Robot robot, RobotConnection connection, boolean readOnly) {
+    this.name = robot.name().isEmpty() ? DEFAULT_NAME : robot.name();
+    this.connection = connection;
+    hub = new Hub(connection.client());
+    lock = new Lock(connection, readOnly);
+    header = new Header(this);
+  }
+
+  /**
+   * Connects to a robot.
+   *
+   * @param readOnly whether nothing may be changed
+   */
+  static RobotSession open(Robot robot, RobotConnection.Opener opener, boolean readOnly)
+      throws IOException {
+    Events events = new Events();
+    RobotConnection connection =
+        opener.open(robot, Robot.LASTING.andThen(cfg -> cfg.listener(events::changed)));
+    RobotSession session = new RobotSession(robot, connection, readOnly);
+    events.to(session);
+    return session;
+  }
+
+  /** Returns its name on the page. */
+  public String name() {
+    return name;
+  }
+
+  /** Returns the client; all of the page uses this one. */
+  public CrossComClient client() {
+    return connection.client();
+  }
+
+  /** Returns the readings of all viewers. */
+  public Hub hub() {
+    return hub;
+  }
+
+  /** Returns the permission to change something. */
+  public Lock lock() {
+    return lock;
+  }
+
+  Header header() {
+    return header;
+  }
+
+  /** Returns the simulated controller; empty if the robot is not simulated by this process. */
+  public Optional<MockServer> simulation() {
+    return Optional.ofNullable((MockServer) connection.simulation());
+  }
+
+  /** Returns whether the server is C3 Bridge, which has files and programs; asks it if necessary. */
+  public boolean isBridge() throws IOException {
+    return client().getServer().type() == ServerType.C3_BRIDGE;
+  }
+
+  /** Asks the server for its type and version, unless it has answered before. */
+  void findServer() {
+    if (server == null) {
+      try {
+        server = client().getServer();
+      } catch (IOException e) {
+        LOG.debug("no server yet", e);
+      }
+    }
+  }
+
+  /** Returns the type and version of the server for people; empty until there is a connection. */
+  String server() {
+    Server known = server;
+    if (known == null) {
+      return "";
+    }
+    String type = known.type() == ServerType.C3_BRIDGE ? "C3 Bridge" : "KUKAVARPROXY";
+    return known.version() == null ? type : type + " " + known.version();
+  }
+
+  @Override
+  public void close() throws IOException {
+    hub.close();
+    connection.close();
+  }
+}

@@ -1,0 +1,208 @@
+package no.hials.crosscom.web.internal.robot;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.WebConfig;
+import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.CommandException;
+import no.hials.crosscom.web.internal.socket.Commands;
+import no.hials.crosscom.web.internal.socket.Json;
+import no.hials.crosscom.web.internal.socket.Viewer;
+
+/** The robots of the page, and the commands that every view needs. */
+public final class RobotSessions implements AutoCloseable {
+  private static final int MOST_NAMES = 500;
+  private static final int MOST_LISTS = 50;
+
+  private final Map<String, RobotSession> sessions = new LinkedHashMap<>();
+  private final Map<Viewer, Lists> lists = new ConcurrentHashMap<>();
+  private final AuditLog audit;
+
+  private RobotSessions(AuditLog audit) {
+    this.audit = audit;
+  }
+
+  /** Connects to all robots. */
+  public static RobotSessions open(WebConfig config, AuditLog audit) throws IOException {
+    RobotSessions all = new RobotSessions(audit);
+    try {
+      for (Robot robot : config.robots()) {
+        RobotSession session = RobotSession.open(robot, config.opener(), config.readOnly());
+        all.sessions.put(session.name(), session);
+      }
+      return all;
+    } catch (IOException | RuntimeException e) {
+      all.close();
+      throw e;
+    }
+  }
+
+  /** Returns all robots. */
+  public Collection<RobotSession> all() {
+    return sessions.values();
+  }
+
+  /** Returns the robot that the field {@code robot} of a message names. */
+  public RobotSession of(Call call) throws CommandException {
+    RobotSession session = sessions.get(call.text("robot"));
+    if (session == null) {
+      throw new CommandException("the page has no such robot");
+    }
+    return session;
+  }
+
+  /** What one viewer watches, by the robot and its own name of the list. */
+  private static final class Lists {
+    private final Map<String, Hub.Subscription> subscriptions = new HashMap<>();
+    private boolean hidden;
+    private boolean closed;
+
+    synchronized void put(String key, RobotSession robot, Call call) throws CommandException {
+      List<String> names = call.texts("names", MOST_NAMES);
+      Duration period = Duration.ofMillis((long) call.number("period", 10, 60_000));
+      String list = call.text("list");
+      remove(key);
+      if (subscriptions.size() >= MOST_LISTS) {
+        throw new CommandException("a page can have at most " + MOST_LISTS + " lists");
+      }
+      if (names.isEmpty() || closed) {
+        return;
+      }
+      if (names.stream().anyMatch(String::isBlank)) {
+        throw new CommandException("a name is blank");
+      }
+      String head = head(robot, list);
+      Viewer viewer = call.viewer();
+      Hub.Subscription added =
+          robot
+              .hub()
+              .subscribe(
+                  names,
+                  period,
+                  readings ->
+                      // readings of other periods are of other variables: they do not replace these
+                      viewer.sendText(
+                          key + readings.values().keySet(), head + readings.json() + "}"));
+      if (hidden) {
+        added.pause(true);
+      }
+      subscriptions.put(key, added);
+    }
+
+    /** Returns the beginning of an event, up to its readings. */
+    private static String head(RobotSession robot, String list) {
+      String event =
+          Json.event("samples")
+              .put("robot", robot.name())
+              .put("list", list)
+              .toString();
+      return event.substring(0, event.length() - 1) + ",";
+    }
+
+    synchronized void remove(String key) {
+      Hub.Subscription old = subscriptions.remove(key);
+      if (old != null) {
+        old.close();
+      }
+    }
+
+    synchronized void hide(boolean value) {
+      hidden = value;
+      subscriptions.values().forEach(one -> one.pause(value));
+    }
+
+    synchronized void close() {
+      closed = true;
+      subscriptions.values().forEach(Hub.Subscription::close);
+      subscriptions.clear();
+    }
+  }
+
+  /** Shows the headers of all robots to a viewer. */
+  public void show(Viewer viewer) {
+    Lists own = new Lists();
+    lists.put(viewer, own);
+    viewer.atClose(
+        () -> {
+          lists.remove(viewer);
+          own.close();
+        });
+    sessions.values().forEach(robot -> robot.header().show(viewer));
+  }
+
+  /** Adds the commands. */
+  public void addTo(Commands commands) {
+    commands.addQuick("ping", Role.VIEW, (call, answer) -> {});
+    commands.add(
+        "who",
+        Role.VIEW,
+        (call, answer) -> {
+          answer.put("name", call.viewer().name()).put("role", call.viewer().role().name());
+          sessions.keySet().forEach(answer.putArray("robots")::add);
+        });
+    commands.add("watch", Role.VIEW, (call, answer) -> watch(call));
+    commands.add("unwatch", Role.VIEW, (call, answer) -> lists(call).remove(key(call)));
+    commands.add("visible", Role.VIEW, (call, answer) -> setVisible(call));
+    commands.add("lock", Role.OPERATE, (call, answer) -> setLock(call));
+  }
+
+  private Lists lists(Call call) throws CommandException {
+    Lists own = lists.get(call.viewer());
+    if (own == null) {
+      throw new CommandException("the socket is closed");
+    }
+    return own;
+  }
+
+  private static String key(Call call) throws CommandException {
+    return "samples/" + call.text("robot") + "/" + call.text("list");
+  }
+
+  private void watch(Call call) throws CommandException {
+    lists(call).put(key(call), of(call), call);
+  }
+
+  private void setVisible(Call call) throws CommandException {
+    boolean hidden = !call.flag("visible");
+    lists(call).hide(hidden);
+    sessions.values().forEach(robot -> robot.header().pause(call.viewer(), hidden));
+  }
+
+  private void setLock(Call call) throws IOException {
+    RobotSession robot = of(call);
+    boolean locked = call.flag("locked");
+    String who = call.viewer().name();
+    if (locked) {
+      robot.lock().close();
+    } else {
+      robot.lock().open(who);
+    }
+    audit.add(
+        new AuditLog.Entry(who, robot.name(), locked ? "lock" : "unlock", "", "", "", "done"));
+    robot.header().send();
+  }
+
+  @Override
+  public void close() throws IOException {
+    IOException failure = null;
+    for (RobotSession robot : sessions.values()) {
+      try {
+        robot.close();
+      } catch (IOException e) {
+        failure = e;
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+}

@@ -1,0 +1,84 @@
+package no.hials.crosscom.web.internal.socket;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A command of a page. What the fields hold comes from a browser and may be anything.
+ *
+ * @param viewer the sender
+ * @param message the message, an object
+ */
+public record Call(Viewer viewer, JsonNode message) {
+  private static final int MOST_CHARACTERS = 4096;
+
+  /** Returns a text of at most 4096 characters. */
+  public String text(String field) throws CommandException {
+    return text(field, MOST_CHARACTERS);
+  }
+
+  /** Returns a text. */
+  public String text(String field, int mostCharacters) throws CommandException {
+    return text(field, message.get(field), mostCharacters);
+  }
+
+  /** Returns a text; empty if the message has none. */
+  public Optional<String> optionalText(String field) throws CommandException {
+    return message.hasNonNull(field) ? Optional.of(text(field)) : Optional.empty();
+  }
+
+  private static String text(String field, @Nullable JsonNode node, int most)
+      throws CommandException {
+    if (node == null || !node.isTextual()) {
+      throw new CommandException(field + " must be a text");
+    }
+    String text = node.textValue();
+    if (text.length() > most) {
+      throw new CommandException(
+          field + " must have at most " + most + " characters, has " + text.length());
+    }
+    return text;
+  }
+
+  /** Returns a list of texts. */
+  public List<String> texts(String field, int most) throws CommandException {
+    JsonNode list = message.get(field);
+    if (list == null || !list.isArray()) {
+      throw new CommandException(field + " must be a list");
+    }
+    if (list.size() > most) {
+      throw new CommandException(field + " must have at most " + most + " elements");
+    }
+    List<String> texts = new ArrayList<>();
+    for (JsonNode element : list) {
+      texts.add(text(field, element, MOST_CHARACTERS));
+    }
+    return texts;
+  }
+
+  /** Returns a number within a range. */
+  public double number(String field, double least, double most) throws CommandException {
+    JsonNode number = message.get(field);
+    if (number == null || !number.isNumber()) {
+      throw new CommandException(field + " must be a number");
+    }
+    double value = number.doubleValue();
+    if (!(value >= least && value <= most)) {
+      throw new CommandException(
+          field + " must be " + least + " to " + most + ", is " + number.asText());
+    }
+    return value;
+  }
+
+  /** Returns whether a field is true; false if the message does not have it. */
+  public boolean flag(String field) throws CommandException {
+    JsonNode flag = message.get(field);
+    if (flag != null && !flag.isBoolean()) {
+      throw new CommandException(field + " must be true or false");
+    }
+    return flag != null && flag.booleanValue();
+  }
+}

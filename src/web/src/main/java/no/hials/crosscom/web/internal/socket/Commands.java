@@ -1,0 +1,78 @@
+package no.hials.crosscom.web.internal.socket;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.web.Role;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The commands of pages by their names. Handlers are added before the first socket is open. */
+public final class Commands {
+  private static final Logger LOG = LoggerFactory.getLogger(Commands.class);
+
+  private final Map<String, Entry> entries = new ConcurrentHashMap<>();
+
+  /**
+   * A command with what it needs.
+   *
+   * @param role the role that may call it
+   * @param quick whether it never waits, and so needs no thread of its own
+   */
+  private record Entry(Role role, boolean quick, Command command) {}
+
+  /** Adds a command that may wait for a robot or a file. One viewer's commands run in order. */
+  public void add(String name, Role role, Command command) {
+    put(name, new Entry(role, false, command));
+  }
+
+  /** Adds a command that never waits. It runs at once, even while others of the viewer wait. */
+  public void addQuick(String name, Role role, Command command) {
+    put(name, new Entry(role, true, command));
+  }
+
+  private void put(String name, Entry entry) {
+    if (entries.put(name, entry) != null) {
+      throw new IllegalArgumentException("there are two commands " + name);
+    }
+  }
+
+  /** Returns whether a message can be answered at once. */
+  boolean isQuick(JsonNode message) {
+    Entry entry = entry(message);
+    return entry == null || entry.quick;
+  }
+
+  private @Nullable Entry entry(JsonNode message) {
+    JsonNode name = message.get("do");
+    return name == null || !name.isTextual() ? null : entries.get(name.textValue());
+  }
+
+  /** Runs the command of a message and returns the answer. */
+  ObjectNode answer(Viewer viewer, JsonNode message) {
+    ObjectNode answer = Json.object();
+    answer.set("id", message.path("id").isIntegralNumber() ? message.get("id") : Json.NULL);
+    Entry entry = entry(message);
+    if (entry == null) {
+      return answer.put("error", "there is no such command");
+    }
+    if (!viewer.role().includes(entry.role)) {
+      return answer.put(
+          "error", "this needs the role " + entry.role + "; this browser may only " + viewer.role());
+    }
+    ObjectNode result = Json.object();
+    try {
+      entry.command.run(new Call(viewer, message), result);
+      answer.set("ok", result);
+    } catch (IOException | IllegalArgumentException e) {
+      answer.put("error", String.valueOf(e.getMessage()));
+    } catch (RuntimeException e) {
+      LOG.warn("a command of the page failed: {}", message.get("do"), e);
+      answer.put("error", "internal error: " + e);
+    }
+    return answer;
+  }
+}

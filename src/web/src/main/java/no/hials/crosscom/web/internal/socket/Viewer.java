@@ -1,0 +1,197 @@
+package no.hials.crosscom.web.internal.socket;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.nio.ByteBuffer;
+import java.util.ArrayDeque;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Executor;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.http.BrowserSession;
+import org.eclipse.jetty.websocket.api.Callback;
+import org.eclipse.jetty.websocket.api.Session;
+import org.jspecify.annotations.Nullable;
+
+/** The open socket of one page. Thread-safe. */
+public final class Viewer implements Session.Listener.AutoDemanding {
+  private static final int MESSAGES_PER_SECOND = 200;
+  private static final int MESSAGES_IN_A_BURST = 400;
+  private static final int MOST_WAITING_COMMANDS = 64;
+
+  private static final int POLICY_VIOLATION = 1008;
+
+  private final BrowserSession browser;
+  private final Commands commands;
+  private final Executor workers;
+  private final Sockets sockets;
+  private final RateLimit rate = new RateLimit(MESSAGES_PER_SECOND, MESSAGES_IN_A_BURST);
+  private final Outbox outbox = new Outbox();
+  private final List<Runnable> atClose = new CopyOnWriteArrayList<>();
+  private volatile @Nullable Session session;
+  private volatile boolean closed;
+
+  // guarded by this
+  private final Queue<JsonNode> waiting = new ArrayDeque<>();
+  private boolean working;
+
+  Viewer(BrowserSession browser, Commands commands, Executor workers, Sockets sockets) {
+    this.browser = browser;
+    this.commands = commands;
+    this.workers = workers;
+    this.sockets = sockets;
+  }
+
+  /** Returns the name of its browser, for people. */
+  public String name() {
+    return browser.name();
+  }
+
+  /** Returns the rights of its browser. */
+  public Role role() {
+    return browser.role();
+  }
+
+  /** Runs something when the socket is closed, at once if it is closed already. */
+  public void atClose(Runnable task) {
+    atClose.add(task);
+    if (closed && atClose.remove(task)) {
+      task.run();
+    }
+  }
+
+  /**
+   * Sends an event. An event with the same key that still waits is dropped.
+   *
+   * @param key the kind of the event and what it is about, such as {@code header/mock}
+   */
+  public void send(String key, ObjectNode event) {
+    sendText(key, event.toString());
+  }
+
+  /** Sends an event that is printed already, as {@link #send}. */
+  public void sendText(String key, String event) {
+    outbox.putEvent(key, event);
+    flush();
+  }
+
+  private void reply(ObjectNode answer) {
+    if (outbox.addAnswer(answer.toString())) {
+      flush();
+    } else {
+      close("answers are not read");
+    }
+  }
+
+  private void flush() {
+    Session open = session;
+    if (open == null || closed) {
+      return;
+    }
+    String text = outbox.next();
+    if (text != null) {
+      open.sendText(text, Callback.from(this::sent, failure -> open.disconnect()));
+    }
+  }
+
+  private void sent() {
+    outbox.sent();
+    flush();
+  }
+
+  private void close(String reason) {
+    Session open = session;
+    if (open != null) {
+      open.close(POLICY_VIOLATION, reason, Callback.NOOP);
+    }
+  }
+
+  @Override
+  public void onWebSocketOpen(Session opened) {
+    session = opened;
+    if (!sockets.add(this)) {
+      close("too many pages are open");
+      return;
+    }
+    flush();
+  }
+
+  @Override
+  public void onWebSocketText(String text) {
+    if (closed) {
+      return;
+    }
+    if (!rate.take()) {
+      close("too many messages");
+      return;
+    }
+    JsonNode message;
+    try {
+      message = Json.parse(text);
+    } catch (JsonProcessingException e) {
+      reply(error(null, "the message is not JSON"));
+      return;
+    }
+    if (message.isObject() && !commands.isQuick(message)) {
+      enqueue(message);
+    } else {
+      reply(commands.answer(this, message));
+    }
+  }
+
+  private static ObjectNode error(@Nullable JsonNode id, String reason) {
+    ObjectNode answer = Json.object();
+    answer.set("id", id == null ? Json.NULL : id);
+    return answer.put("error", reason);
+  }
+
+  /** Binary messages are not part of the protocol. */
+  @Override
+  public void onWebSocketBinary(ByteBuffer payload, Callback callback) {
+    callback.succeed();
+    close("only text is understood");
+  }
+
+  private void enqueue(JsonNode message) {
+    synchronized (this) {
+      if (waiting.size() < MOST_WAITING_COMMANDS) {
+        waiting.add(message);
+        if (!working) {
+          working = true;
+          workers.execute(this::work);
+        }
+        return;
+      }
+    }
+    reply(error(message.get("id"), "too many commands wait"));
+  }
+
+  /** Runs the commands that wait, one after the other. */
+  private void work() {
+    while (true) {
+      JsonNode message;
+      synchronized (this) {
+        message = closed ? null : waiting.poll();
+        if (message == null) {
+          working = false;
+          return;
+        }
+      }
+      reply(commands.answer(this, message));
+    }
+  }
+
+  @Override
+  public void onWebSocketClose(int code, @Nullable String reason, Callback callback) {
+    callback.succeed();
+    closed = true;
+    sockets.remove(this);
+    for (Runnable task : atClose) {
+      if (atClose.remove(task)) {
+        task.run();
+      }
+    }
+  }
+}

@@ -1,0 +1,97 @@
+// The frame of the page: header, navigation and the chosen view.
+
+import { h, render } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { Header } from './header.js';
+import { connect } from './socket.js';
+import { state, useSharedState } from './state.js';
+
+/** The views by their addresses: the title, and the module, which is loaded when it is needed. */
+const VIEWS = {
+  variables: ['Variables', () => import('./view/variables.js')],
+  charts: ['Charts', () => import('./view/charts.js')],
+  robot: ['3-D', () => import('./view/robot.js')],
+  programs: ['Programs', () => import('./view/programs.js')],
+  io: ['In/Out', () => import('./view/io.js')],
+  jog: ['Jog', () => import('./view/jog.js')],
+  teach: ['Teach', () => import('./view/teach.js')],
+};
+
+function currentView() {
+  const name = location.hash.replace(/^#\/?/, '').split('/')[0];
+  return name in VIEWS ? name : 'variables';
+}
+
+function Navigation({ view }) {
+  return h(
+    'nav',
+    { class: 'navigation', 'aria-label': 'Views' },
+    Object.entries(VIEWS).map(([name, [title]]) =>
+      h(
+        'a',
+        { key: name, href: `#/${name}`, 'aria-current': name === view ? 'page' : undefined },
+        title,
+      ),
+    ),
+  );
+}
+
+function Notes() {
+  const { notes } = useSharedState();
+  return h(
+    'div',
+    { class: 'notes', role: 'status', 'aria-live': 'polite' },
+    notes.map((one) => h('p', { class: `note ${one.kind}` }, one.text)),
+  );
+}
+
+/** Shown over everything while there is no connection to the server. */
+function Connection() {
+  const { socket } = useSharedState();
+  if (socket === 'open') {
+    return null;
+  }
+  const texts = {
+    connecting: 'Connecting to the server …',
+    lost: 'The connection to the server is lost. Nothing on this page is up to date. Trying again …',
+    ended:
+      "This browser has no session any more: 'jopenshowvar web' was started again. Open the link" +
+      ' that it has printed.',
+  };
+  return h('p', { class: `banner ${socket}`, role: 'alert' }, texts[socket]);
+}
+
+function App() {
+  const shared = useSharedState();
+  const [view, setView] = useState(currentView());
+  const [Content, setContent] = useState(null);
+  useEffect(() => {
+    const follow = () => setView(currentView());
+    addEventListener('hashchange', follow);
+    return () => removeEventListener('hashchange', follow);
+  }, []);
+  useEffect(() => {
+    let wanted = true;
+    const [title, load] = VIEWS[view];
+    document.title = `${title} – JOpenShowVar`;
+    load().then((module) => wanted && setContent(() => module.View));
+    return () => (wanted = false);
+  }, [view]);
+  return h(
+    'div',
+    { class: `frame ${shared.socket === 'open' ? '' : 'cut'}` },
+    h(Header),
+    h(Connection),
+    h(Navigation, { view }),
+    // a view begins again with another robot
+    h('main', { id: 'main' }, Content && state.robot && h(Content, { key: view + state.robot })),
+    h(Notes),
+  );
+}
+
+const theme = localStorage.getItem('theme');
+if (theme) {
+  document.documentElement.dataset.theme = theme;
+}
+render(h(App), document.getElementById('app'));
+connect();

@@ -1,0 +1,161 @@
+// The line that is always on top: robot, connection, mode, program, override, stop and lock.
+
+import { h } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { call } from './socket.js';
+import { ageOf, chooseRobot, header, isStale, mayOperate, note, useSharedState } from './state.js';
+
+const MODES = { '#T1': 'T1', '#T2': 'T2', '#AUT': 'AUT', '#EX': 'EXT' };
+const PROGRAM_STATES = {
+  '#P_FREE': 'no program',
+  '#P_RESET': 'at its start',
+  '#P_ACTIVE': 'running',
+  '#P_STOP': 'stopped',
+  '#P_END': 'at its end',
+};
+
+/** Renders the component again several times a second, since ages grow without any event. */
+function useTicks(period) {
+  const [, setCount] = useState(0);
+  useEffect(() => {
+    const timer = setInterval(() => setCount((count) => count + 1), period);
+    return () => clearInterval(timer);
+  }, [period]);
+}
+
+function age(ms) {
+  if (!Number.isFinite(ms)) {
+    return 'no value yet';
+  }
+  return ms < 10_000 ? `${(ms / 1000).toFixed(1)} s old` : `${Math.round(ms / 1000)} s old`;
+}
+
+function Item({ name, kind = '', title, children }) {
+  return h(
+    'div',
+    { class: `item ${kind}`, title },
+    h('span', { class: 'name' }, name),
+    h('span', { class: 'value' }, children),
+  );
+}
+
+function Connection({ one, stale }) {
+  const words =
+    one.connection === 'connected' ? (stale ? 'stale' : 'live') : (one.connection ?? 'connecting');
+  const detail =
+    one.connection === 'connected' && !stale
+      ? `${one.access_ms?.toFixed(1)} ms`
+      : age(ageOf(one));
+  return h(
+    Item,
+    { name: one.server || 'Server', kind: `connection ${stale ? 'bad' : 'good'}`, title: one.reason },
+    h('span', { class: 'dot', 'aria-hidden': 'true' }),
+    `${words} · ${detail}`,
+  );
+}
+
+function Program({ name, program, programState }) {
+  const words = PROGRAM_STATES[programState] ?? programState ?? '–';
+  const kind = { '#P_ACTIVE': 'good', '#P_STOP': 'warn' }[programState] ?? '';
+  return h(Item, { name, kind }, program ? `${program} · ${words}` : words);
+}
+
+function Lock({ one }) {
+  const [busy, setBusy] = useState(false);
+  const lock = one.lock;
+  if (!lock) {
+    return null;
+  }
+  if (lock.read_only_by || !mayOperate()) {
+    const reason = lock.read_only_by ?? 'this browser may only view';
+    return h(Item, { name: 'Access', title: reason }, 'read-only');
+  }
+  const change = async () => {
+    setBusy(true);
+    try {
+      await call('lock', { robot: one.robot, locked: lock.open });
+    } catch (e) {
+      note('error', e.message);
+    }
+    setBusy(false);
+  };
+  return h(
+    'button',
+    {
+      class: `lock ${lock.open ? 'open' : ''}`,
+      disabled: busy,
+      'aria-pressed': String(lock.open),
+      title: lock.open ? `Unlocked by ${lock.by}. Press to lock.` : 'Press to allow changes.',
+      onClick: change,
+    },
+    lock.open ? 'Unlocked' : 'Locked',
+  );
+}
+
+function Theme() {
+  const root = document.documentElement;
+  const dark = () =>
+    root.dataset.theme
+      ? root.dataset.theme === 'dark'
+      : matchMedia('(prefers-color-scheme: dark)').matches;
+  const change = () => {
+    root.dataset.theme = dark() ? 'light' : 'dark';
+    localStorage.setItem('theme', root.dataset.theme);
+    dispatchEvent(new Event('themechange'));
+  };
+  return h(
+    'button',
+    { class: 'theme', 'aria-label': 'Light or dark', title: 'Light or dark', onClick: change },
+    '◐',
+  );
+}
+
+function RobotName({ state, one }) {
+  const robots = state.who.robots;
+  if (robots.length > 1) {
+    return h(
+      'select',
+      {
+        class: 'robot',
+        'aria-label': 'Robot',
+        value: state.robot,
+        onChange: (event) => chooseRobot(event.target.value),
+      },
+      robots.map((name) => h('option', { key: name, value: name }, name)),
+    );
+  }
+  return h('strong', { class: 'robot' }, one.robot ?? '…');
+}
+
+export function Header() {
+  const state = useSharedState();
+  useTicks(250);
+  const one = header();
+  const stale = isStale(one);
+  const mode = MODES[one.mode] ?? one.mode ?? '–';
+  return h(
+    'header',
+    { class: `top ${stale ? 'stale' : ''}` },
+    h(
+      'div',
+      { class: 'identity' },
+      h(RobotName, { state, one }),
+      one.simulated && h('span', { class: 'badge' }, 'simulated'),
+    ),
+    h(
+      'div',
+      { class: 'items', 'aria-label': 'State of the robot' },
+      h(Connection, { one, stale }),
+      h(Item, { name: 'Mode', kind: `mode ${mode === 'T1' ? '' : 'warn'}` }, mode),
+      h(Program, { name: 'Program', program: one.robot_program, programState: one.robot_state }),
+      h(Program, { name: 'Submit', program: one.submit_program, programState: one.submit_state }),
+      h(Item, { name: 'Override' }, one.override == null ? '–' : `${one.override} %`),
+      h(
+        Item,
+        { name: 'Stop', kind: one.stop === 'TRUE' ? 'bad' : '' },
+        one.stop == null ? '–' : one.stop === 'TRUE' ? 'message waits' : 'none',
+      ),
+    ),
+    h('div', { class: 'actions' }, h(Lock, { one }), h(Theme)),
+  );
+}

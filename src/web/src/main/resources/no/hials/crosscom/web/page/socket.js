@@ -1,0 +1,182 @@
+// The connection to the server: commands with their answers, events, and watched variables. It
+// connects again by itself and then watches again what was watched before.
+
+import { changed, state } from './state.js';
+
+const LONGEST_WAIT = 10_000;
+const PING_PERIOD = 3000;
+
+const token = document.querySelector('meta[name=socket-token]').content;
+const pending = new Map();
+const watches = new Map();
+const eventListeners = new Map();
+let socket = null;
+let number = 0;
+let attempts = 0;
+
+/** Opens the socket. */
+export function connect() {
+  socket = new WebSocket(`ws://${location.host}/socket?page=${encodeURIComponent(token)}`);
+  const own = socket;
+  socket.onopen = () => {
+    attempts = 0;
+    state.socket = 'open';
+    changed();
+    begin().catch(() => own.close());
+  };
+  socket.onmessage = (message) => receive(JSON.parse(message.data));
+  socket.onclose = () => {
+    if (own === socket) {
+      lost();
+    }
+  };
+}
+
+async function begin() {
+  state.who = await call('who');
+  if (!state.who.robots.includes(state.robot)) {
+    state.robot = state.who.robots[0];
+  }
+  changed();
+  await tellVisible();
+  for (const one of watches.values()) {
+    sendWatch(one);
+  }
+}
+
+function lost() {
+  state.socket = 'lost';
+  changed();
+  for (const { reject } of pending.values()) {
+    reject(new Error('the connection to the server is lost'));
+  }
+  pending.clear();
+  attempts++;
+  setTimeout(reconnect, Math.min(250 * attempts, 2000));
+}
+
+/** Connects again, unless the server says that this browser has no session any more. */
+async function reconnect() {
+  try {
+    const answer = await fetch('/style/base.css', { cache: 'no-store' });
+    if (answer.status === 403) {
+      state.socket = 'ended';
+      changed();
+      return;
+    }
+  } catch {
+    lost();
+    return;
+  }
+  connect();
+}
+
+/**
+ * Sends a command and returns its answer.
+ *
+ * @throws Error with a sentence for the user if it is refused
+ */
+export function call(name, fields = {}) {
+  return new Promise((resolve, reject) => {
+    if (socket?.readyState !== WebSocket.OPEN) {
+      reject(new Error('there is no connection to the server'));
+      return;
+    }
+    const id = ++number;
+    const timer = setTimeout(() => {
+      pending.delete(id);
+      reject(new Error(`no answer to ${name} within ${LONGEST_WAIT / 1000} s`));
+    }, LONGEST_WAIT);
+    const done = (settle) => (value) => {
+      clearTimeout(timer);
+      settle(value);
+    };
+    pending.set(id, { resolve: done(resolve), reject: done(reject) });
+    socket.send(JSON.stringify({ id, do: name, ...fields }));
+  });
+}
+
+/** Sends a command without waiting for its answer, as a beat; returns whether it could be sent. */
+export function tell(name, fields = {}) {
+  if (socket?.readyState !== WebSocket.OPEN) {
+    return false;
+  }
+  socket.send(JSON.stringify({ id: 0, do: name, ...fields }));
+  return true;
+}
+
+function receive(message) {
+  if (message.event === undefined) {
+    const waiting = pending.get(message.id);
+    pending.delete(message.id);
+    if (message.error === undefined) {
+      waiting?.resolve(message.ok);
+    } else {
+      waiting?.reject(new Error(message.error));
+    }
+    return;
+  }
+  if (message.event === 'header') {
+    state.headers[message.robot] = message;
+    state.clockOffset = message.now - Date.now();
+    changed();
+  } else if (message.event === 'samples') {
+    watches.get(`${message.robot}/${message.list}`)?.listener(message);
+  }
+  eventListeners.get(message.event)?.forEach((listener) => listener(message));
+}
+
+/** Calls a function with each event of a kind; returns a function that ends it. */
+export function onEvent(kind, listener) {
+  const all = eventListeners.get(kind) ?? new Set();
+  eventListeners.set(kind, all.add(listener));
+  return () => all.delete(listener);
+}
+
+/**
+ * Watches variables of a robot.
+ *
+ * @param list a name for the list, one of each view; watching again replaces the list
+ * @param period in ms
+ * @param listener called with each event: time and access_ms in ms, missed, and values by the
+ *     names in capitals: {type, value} or {error}
+ * @returns a function that ends it
+ */
+export function watch(robot, list, names, period, listener) {
+  const one = { robot, list, names, period, listener };
+  watches.set(`${robot}/${list}`, one);
+  sendWatch(one);
+  return () => {
+    if (watches.get(`${robot}/${list}`) === one) {
+      watches.delete(`${robot}/${list}`);
+      tell('unwatch', { robot, list });
+    }
+  };
+}
+
+function sendWatch({ robot, list, names, period }) {
+  tell('watch', { robot, list, names, period });
+}
+
+function tellVisible() {
+  return call('visible', { visible: !document.hidden });
+}
+
+document.addEventListener('visibilitychange', () => tellVisible().catch(() => {}));
+
+// finds out that the network is gone, which a socket alone notices after minutes
+setInterval(() => {
+  if (state.socket === 'open') {
+    const asked = socket;
+    const timer = setTimeout(() => {
+      if (asked === socket) {
+        asked.onclose = null;
+        asked.close();
+        lost();
+      }
+    }, PING_PERIOD);
+    call('ping')
+      .catch(() => {})
+      .finally(() => clearTimeout(timer));
+  }
+}, PING_PERIOD);

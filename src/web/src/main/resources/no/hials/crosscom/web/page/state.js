@@ -1,0 +1,91 @@
+// The state that all views share, and the hook by which they follow it.
+
+import { useEffect, useState } from 'preact/hooks';
+
+export const state = {
+  /** The socket: 'connecting', 'open', 'lost' or 'ended' (the session is not valid any more). */
+  socket: 'connecting',
+  /** This browser: its name and its role. */
+  who: { name: '', role: 'VIEW', robots: [] },
+  /** The name of the robot that the views show. */
+  robot: localStorage.getItem('robot') ?? '',
+  /** The last header event of each robot, by its name. */
+  headers: {},
+  /** The time of the server minus that of this computer, in ms. */
+  clockOffset: 0,
+  /** Short messages at the edge of the page. */
+  notes: [],
+};
+
+const listeners = new Set();
+let scheduled = false;
+
+/** Renders again what follows the state, once for many changes. */
+export function changed() {
+  if (!scheduled) {
+    scheduled = true;
+    // a hidden page has no animation frames, and needs none
+    requestAnimationFrame(() => {
+      scheduled = false;
+      listeners.forEach((listener) => listener());
+    });
+  }
+}
+
+/** Renders the component again after each change of the state. */
+export function useSharedState() {
+  const [, setCount] = useState(0);
+  useEffect(() => {
+    const listener = () => setCount((count) => count + 1);
+    listeners.add(listener);
+    return () => listeners.delete(listener);
+  }, []);
+  return state;
+}
+
+/** Returns the time of the server, in ms since 1970. */
+export function serverTime() {
+  return Date.now() + state.clockOffset;
+}
+
+/** Returns the header of the chosen robot; an empty object before the first one. */
+export function header() {
+  return state.headers[state.robot] ?? {};
+}
+
+/** Returns how old the values of a header are in ms; infinite if there are none. */
+export function ageOf(one) {
+  return one.time === undefined ? Infinity : Math.max(0, serverTime() - one.time);
+}
+
+/** Returns whether the values of a header may no longer be true. */
+export function isStale(one) {
+  return state.socket !== 'open' || one.connection !== 'connected' || ageOf(one) > 1000;
+}
+
+/** Returns whether this browser may change the chosen robot now. */
+export function mayWrite() {
+  return mayOperate() && header().lock?.open === true && state.socket === 'open';
+}
+
+/** Returns whether the role of this browser allows changes at all. */
+export function mayOperate() {
+  return state.who.role !== 'VIEW';
+}
+
+export function chooseRobot(name) {
+  state.robot = name;
+  localStorage.setItem('robot', name);
+  changed();
+}
+
+/** Shows a short message, as text: 'error' or 'done'. */
+export function note(kind, text) {
+  const one = { kind, text };
+  state.notes = [...state.notes.slice(-3), one];
+  changed();
+  setTimeout(() => {
+    state.notes = state.notes.filter((it) => it !== one);
+    changed();
+  }, 8000);
+}

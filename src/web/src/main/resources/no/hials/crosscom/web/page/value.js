@@ -1,0 +1,53 @@
+// Values of variables as text. They come from a controller and are never made into markup.
+
+import { h } from 'preact';
+
+/** Returns a value as a person reads it. */
+export function valueText({ type, value, error }) {
+  if (error !== undefined) {
+    return error;
+  }
+  if (Array.isArray(value)) {
+    return value.map((one) => scalarText(type, one)).join('  ');
+  }
+  return scalarText(type, value);
+}
+
+function scalarText(type, value) {
+  if (value !== null && typeof value === 'object') {
+    return Object.entries(value)
+      .map(([name, field]) => `${name} ${scalarText('', field)}`)
+      .join('  ');
+  }
+  if (typeof value === 'boolean') {
+    return value ? 'TRUE' : 'FALSE';
+  }
+  // a whole number of a REAL keeps its place when it changes
+  return type === 'REAL' && Number.isInteger(value) ? `${value}.0` : String(value);
+}
+
+/** Shows a value; a structure becomes a small table of its fields. */
+export function Value({ reading }) {
+  if (reading === undefined) {
+    return h('span', { class: 'none' }, '…');
+  }
+  if (reading.error !== undefined) {
+    return h('span', { class: 'failure' }, reading.error);
+  }
+  const { value } = reading;
+  if (value !== null && typeof value === 'object' && !Array.isArray(value)) {
+    return h(
+      'span',
+      { class: 'fields' },
+      Object.entries(value).map(([name, field]) =>
+        h(
+          'span',
+          { key: name, class: 'field' },
+          h('span', { class: 'field-name' }, name),
+          h('span', { class: 'field-value' }, scalarText('', field)),
+        ),
+      ),
+    );
+  }
+  return h('span', { class: 'scalar' }, valueText(reading));
+}

@@ -33,7 +33,7 @@ public final class PageHandler extends Handler.Abstract.NonBlocking {
   private final PageFiles files = new PageFiles();
   private final String policy;
 
-  /** The routes by the beginnings of their paths. */
+  /** The routes by their paths. */
   private final Map<String, Route> routes = new LinkedHashMap<>();
 
   public PageHandler(Tokens tokens) throws IOException {
@@ -48,7 +48,7 @@ public final class PageHandler extends Handler.Abstract.NonBlocking {
   /**
    * Adds a route.
    *
-   * @param path the beginning of its paths, such as {@code /recordings/}
+   * @param path its path, or the beginning of its paths with a final slash: {@code /recordings/}
    */
   public void add(String path, Route route) {
     routes.put(path, route);
@@ -72,8 +72,9 @@ public final class PageHandler extends Handler.Abstract.NonBlocking {
       return refuse(response, callback, HttpStatus.FORBIDDEN_403, NO_SESSION);
     }
     for (Map.Entry<String, Route> route : routes.entrySet()) {
-      if (path.startsWith(route.getKey())) {
-        String rest = path.substring(route.getKey().length());
+      String start = route.getKey();
+      if (start.endsWith("/") ? path.startsWith(start) : path.equals(start)) {
+        String rest = path.substring(start.length());
         return route.getValue().handle(browser.get(), rest, request, response, callback)
             || refuse(response, callback, HttpStatus.NOT_FOUND_404, "There is no such file.");
       }

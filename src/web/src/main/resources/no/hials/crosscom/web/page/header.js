@@ -60,6 +60,16 @@ function Program({ name, program, programState }) {
   return h(Item, { name, kind }, program ? `${program} · ${words}` : words);
 }
 
+function Padlock({ open }) {
+  const line = { fill: 'none', stroke: 'currentColor', 'stroke-width': 2 };
+  return h(
+    'svg',
+    { viewBox: '0 0 16 16', 'aria-hidden': 'true' },
+    h('rect', { x: 2, y: 7, width: 12, height: 8, rx: 1.5, fill: 'currentColor' }),
+    h('path', { d: open ? 'M4.5 7V4.5a3.5 3.5 0 0 1 6.8-1' : 'M4.5 7V4.5a3.5 3.5 0 0 1 7 0V7', ...line }),
+  );
+}
+
 function Lock({ one }) {
   const [busy, setBusy] = useState(false);
   const lock = one.lock;
@@ -88,6 +98,7 @@ function Lock({ one }) {
       title: lock.open ? `Unlocked by ${lock.by}. Press to lock.` : 'Press to allow changes.',
       onClick: change,
     },
+    h(Padlock, { open: lock.open }),
     lock.open ? 'Unlocked' : 'Locked',
   );
 }

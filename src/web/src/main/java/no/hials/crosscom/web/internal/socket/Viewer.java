@@ -14,9 +14,12 @@ import no.hials.crosscom.web.internal.http.BrowserSession;
 import org.eclipse.jetty.websocket.api.Callback;
 import org.eclipse.jetty.websocket.api.Session;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The open socket of one page. Thread-safe. */
 public final class Viewer implements Session.Listener.AutoDemanding {
+  private static final Logger LOG = LoggerFactory.getLogger(Viewer.class);
   private static final int MESSAGES_PER_SECOND = 200;
   private static final int MESSAGES_IN_A_BURST = 400;
   private static final int MOST_WAITING_COMMANDS = 64;
@@ -181,6 +184,12 @@ public final class Viewer implements Session.Listener.AutoDemanding {
       }
       reply(commands.answer(this, message));
     }
+  }
+
+  /** The close follows; a browser that is gone is nothing to act on. */
+  @Override
+  public void onWebSocketError(Throwable cause) {
+    LOG.debug("the socket of {} failed", name(), cause);
   }
 
   @Override

@@ -109,7 +109,7 @@ function Row({ name, reading, stale, onEdit, onRemove }) {
     { class: `${stale ? 'stale' : ''} ${fresh ? 'fresh' : ''}` },
     h('th', { scope: 'row', class: 'variable' }, name),
     h('td', { class: 'reading' }, h(Value, { reading })),
-    h('td', { class: 'type' }, reading?.type ?? ''),
+    h('td', { class: 'type' }, reading?.struc ?? reading?.type ?? ''),
     h(
       'td',
       { class: 'buttons' },

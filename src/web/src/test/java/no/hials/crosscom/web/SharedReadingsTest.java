@@ -1,0 +1,133 @@
+package no.hials.crosscom.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class SharedReadingsTest {
+  private static final int SAMPLES = 20;
+
+  @TempDir private Path folder;
+
+  private TestPages start(ServerType type) throws IOException {
+    return TestPages.start(type, folder, cfg -> {});
+  }
+
+  private static void watch(TestSocket socket, String names) throws InterruptedException {
+    JsonNode answer =
+        socket.call(
+            "watch", "robot", "'mock'", "list", "'list'", "names", names, "period", "20");
+    assertThat(answer.has("ok")).as(answer.toString()).isTrue();
+  }
+
+  private static long reads(MockServer server, String name) {
+    return server.requests().stream().filter(it -> it.reads(name)).count();
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void tenViewersCostAsManyAccessesAsOne(ServerType type) throws Exception {
+    List<TestSocket> viewers = new ArrayList<>();
+    try (TestPages pages = start(type)) {
+      for (int i = 0; i < 10; i++) {
+        viewers.add(pages.open(Role.VIEW));
+        watch(viewers.get(i), "['MYREAL','$VEL_ACT']");
+      }
+      TestSocket first = viewers.get(0);
+      first.call("ping");
+      double begin = first.awaitSamples("list").path("time").asDouble();
+      pages.controller().clearRequests();
+      double end = begin;
+      for (int i = 0; i < SAMPLES; i++) {
+        end = first.awaitSamples("list").path("time").asDouble();
+      }
+
+      // each viewer alone would read once in 20 ms
+      double alone = (end - begin) / 20;
+      assertThat(reads(pages.controller(), "MYREAL")).isBetween(1L, (long) (2 * alone) + 4);
+      for (TestSocket viewer : viewers) {
+        assertThat(viewer.awaitSamples("list").path("values").has("MYREAL")).isTrue();
+      }
+      viewers.forEach(TestSocket::close);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void aHiddenPageReadsNothing(ServerType type) throws Exception {
+    try (TestPages pages = start(type);
+        TestSocket hidden = pages.open(Role.VIEW);
+        TestSocket other = pages.open(Role.VIEW)) {
+      watch(hidden, "['MYREAL']");
+      hidden.awaitSamples("list");
+
+      hidden.call("visible", "visible", "false");
+      watch(other, "['MYINT']");
+      other.awaitSamples("list"); // a reading of before the command has ended
+      pages.controller().clearRequests();
+      for (int i = 0; i < SAMPLES; i++) {
+        other.awaitSamples("list");
+      }
+      assertThat(reads(pages.controller(), "MYREAL")).isZero();
+
+      hidden.call("visible", "visible", "true");
+      assertThat(hidden.awaitSamples("list").path("values").has("MYREAL")).isTrue();
+    }
+  }
+
+  @Test
+  void withoutAVisiblePageTheControllerIsLeftAlone() throws Exception {
+    try (TestPages pages = start(ServerType.KUKAVARPROXY);
+        TestSocket page = pages.open(Role.VIEW)) {
+      page.await(it -> it.path("mode").asText().equals("#T1"));
+      page.call("visible", "visible", "false");
+      // one more exchange on the only connection: readings that were under way have ended
+      page.call("read", "robot", "'mock'", "name", "'MYINT'");
+      pages.controller().clearRequests();
+      page.call("read", "robot", "'mock'", "name", "'MYINT'");
+
+      assertThat(pages.controller().requests()).allMatch(it -> it.reads("MYINT"));
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void fieldsOfOneStructureAreReadByTheStructure(ServerType type) throws Exception {
+    try (TestPages pages = start(type);
+        TestSocket first = pages.open(Role.VIEW);
+        TestSocket second = pages.open(Role.VIEW)) {
+      watch(first, "['$POS_ACT.X', '$POS_ACT.Y']");
+      watch(second, "['$pos_act.z']");
+
+      JsonNode values = first.awaitSamples("list").path("values");
+      assertThat(values.path("$POS_ACT.X").path("value").isNumber()).isTrue();
+      assertThat(values.has("$POS_ACT.Z")).isFalse();
+      assertThat(second.awaitSamples("list").path("values").path("$POS_ACT.Z").has("value"))
+          .isTrue();
+      assertThat(reads(pages.controller(), "$POS_ACT")).isPositive();
+      assertThat(reads(pages.controller(), "$POS_ACT.X")).isZero();
+    }
+  }
+
+  @Test
+  void aFieldThatHasNoValueIsAnErrorOfThisField() throws Exception {
+    try (TestPages pages = start(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.VIEW)) {
+      watch(socket, "['$POS_ACT.X', '$POS_ACT.NO_FIELD']");
+
+      JsonNode values = socket.awaitSamples("list").path("values");
+      assertThat(values.path("$POS_ACT.X").has("value")).isTrue();
+      assertThat(values.path("$POS_ACT.NO_FIELD").path("error").asText()).isNotEmpty();
+    }
+  }
+}

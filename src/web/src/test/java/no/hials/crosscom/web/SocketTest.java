@@ -1,0 +1,199 @@
+package no.hials.crosscom.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Random;
+import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SocketTest {
+  @TempDir private Path folder;
+  private TestPages pages;
+
+  @BeforeEach
+  void start() throws IOException {
+    pages = TestPages.start(folder);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    pages.close();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "x", "{", "[]", "1", "null", "{}", "{\"do\": 1}", "{\"do\": \"no\"}",
+    "{\"id\": {}, \"do\": \"watch\"}", "{\"do\": \"search\", \"robot\": \"mock\", \"text\": 1}"})
+  void aWrongMessageIsAnsweredWithAnError(String text) throws Exception {
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      socket.send(text);
+
+      assertThat(socket.await(it -> it.has("id")).path("error").asText()).isNotEmpty();
+      assertThat(socket.call("ping").has("ok")).isTrue();
+    }
+  }
+
+  @Test
+  void deepMessagesAreRefused() throws Exception {
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      socket.send("[".repeat(100_000));
+
+      assertThat(socket.await(it -> it.has("id")).path("error").asText()).isNotEmpty();
+    }
+  }
+
+  @Test
+  void anOversizedMessageEndsTheSocket() throws Exception {
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      socket.send("x".repeat(300_000));
+
+      assertThat(socket.closeCode()).isEqualTo(1009);
+    }
+  }
+
+  @Test
+  void aFloodOfMessagesEndsTheSocketAndNoOtherOne() throws Exception {
+    Random random = new Random(1);
+    try (TestSocket other = pages.open(Role.VIEW);
+        TestSocket socket = pages.open(Role.VIEW)) {
+      try {
+        for (int i = 0; i < 10_000; i++) {
+          socket.send("{\"id\":" + i + ",\"do\":\"" + random.nextInt() + "\"}");
+        }
+      } catch (RuntimeException e) {
+        // it is closed meanwhile
+      }
+
+      assertThat(socket.closeCode()).isIn(1008, 1006);
+      assertThat(other.call("ping").has("ok")).isTrue();
+    }
+  }
+
+  @Test
+  void aViewerChangesNothing() throws Exception {
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      assertThat(socket.call("lock", "robot", "'mock'", "locked", "false").path("error").asText())
+          .isEqualTo("this needs the role OPERATE; this browser may only VIEW");
+      assertThat(write(socket, "50").path("error").asText())
+          .isEqualTo("this needs the role OPERATE; this browser may only VIEW");
+      assertThat(pages.controller().variables().get("$OV_PRO")).isEqualTo("100");
+    }
+  }
+
+  private static JsonNode write(TestSocket socket, String value) throws InterruptedException {
+    return socket.call(
+        "write", "robot", "'mock'", "name", "'$OV_PRO'", "value", "'" + value + "'", "confirmed",
+        "true");
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void anOperatorWritesAfterUnlockingTheRobot(ServerType type) throws Exception {
+    try (TestPages own = TestPages.start(type, folder, cfg -> {});
+        TestSocket socket = own.open(Role.OPERATE)) {
+      assertThat(write(socket, "50").path("error").asText())
+          .isEqualTo("did not write $OV_PRO: the robot is locked");
+
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+
+      assertThat(write(socket, "50").path("ok").path("text").asText()).isEqualTo("50");
+      assertThat(own.controller().variables().get("$OV_PRO")).isEqualTo("50");
+    }
+  }
+
+  @Test
+  void aWriteNeedsAConfirmation() throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+
+      assertThat(
+              socket
+                  .call("write", "robot", "'mock'", "name", "'$OV_PRO'", "value", "'50'")
+                  .path("error")
+                  .asText())
+          .endsWith("not confirmed");
+    }
+  }
+
+  @Test
+  void readOnlyWinsOverAllRoles() throws Exception {
+    try (TestPages own =
+            TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.readOnly(true));
+        TestSocket socket = own.open(Role.JOG)) {
+      assertThat(socket.call("lock", "robot", "'mock'", "locked", "false").path("error").asText())
+          .contains("--read-only");
+      assertThat(write(socket, "50").path("error").asText()).contains("--read-only");
+    }
+  }
+
+  @Test
+  void everyWriteIsAnAuditLineAlsoARefusedOne() throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      write(socket, "40");
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      write(socket, "50");
+
+      assertThat(folder.resolve("audit.jsonl"))
+          .content()
+          .containsSubsequence(
+              "\"name\":\"$OV_PRO\"", "\"after\":\"40\"", "is locked", "\"what\":\"unlock\"",
+              "\"after\":\"50\"", "\"result\":\"done\"");
+    }
+  }
+
+  @Test
+  void theHeaderShowsTheStateOfTheRobot() throws Exception {
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      JsonNode header =
+          socket.await(
+              it -> it.path("event").asText().equals("header") && !it.path("server").asText().isEmpty());
+
+      assertThat(header.path("mode").asText()).isEqualTo("#T1");
+      assertThat(header.path("override").asText()).isEqualTo("100");
+      assertThat(header.path("connection").asText()).isEqualTo("connected");
+      assertThat(header.path("lock").path("open").asBoolean()).isFalse();
+    }
+  }
+
+  @Test
+  void aLostControllerIsReported() throws Exception {
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      socket.await(it -> it.path("connection").asText().equals("connected"));
+
+      pages.controller().refuseConnections();
+      pages.controller().disconnectClients();
+
+      JsonNode lost = socket.await(it -> it.path("connection").asText().equals("lost"));
+      assertThat(lost.path("reason").asText()).isNotEmpty();
+      assertThat(lost.path("mode").asText()).isEqualTo("#T1");
+    }
+  }
+
+  @Test
+  void aValueThatIsMarkupArrivesAsText() throws Exception {
+    String markup = "\"<script>alert(1)</script>\"";
+    pages.controller().variables().set("MYSTRING[]", markup);
+    try (TestSocket socket = pages.open(Role.VIEW)) {
+      watch(socket, "list", "'MYSTRING[]'", 50);
+
+      assertThat(
+              socket.awaitSamples("list").path("values").path("MYSTRING[]").path("value").asText())
+          .isEqualTo("<script>alert(1)</script>");
+    }
+  }
+
+  private static void watch(TestSocket socket, String list, String names, int period)
+      throws InterruptedException {
+    socket.call(
+        "watch", "robot", "'mock'", "list", "'" + list + "'", "names", "[" + names + "]", "period",
+        "" + period);
+  }
+}

@@ -1,0 +1,124 @@
+package no.hials.crosscom.web;
+
+import java.io.IOException;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.MockServerConfig;
+import no.hials.crosscom.protocol.ServerType;
+
+/** A web server with one simulated robot called {@code mock}, and browsers without a screen. */
+public final class TestPages implements AutoCloseable {
+  private static final Pattern TOKEN = Pattern.compile("socket-token\" content=\"([^\"]+)\"");
+  private static final HttpClient HTTP = HttpClient.newHttpClient();
+
+  private final WebServer web;
+  private MockServer controller;
+
+  private TestPages(
+      ServerType type,
+      Path folder,
+      Consumer<MockServerConfig.Builder> more,
+      Consumer<WebConfig.Builder> settings)
+      throws IOException {
+    Robot robot = new Robot("mock", null, 0, null, null, type, null);
+    web =
+        WebServer.start(
+            WebConfig.create(
+                cfg ->
+                    settings.accept(
+                        cfg.robots(List.of(robot))
+                            .port(0)
+                            .folder(folder)
+                            .opener(
+                                (one, client) -> {
+                                  controller = MockServer.start(it -> more.accept(it.server(type)));
+                                  return new RobotConnection(
+                                      one,
+                                      RobotConnection.open(
+                                              one.at(controller.host(), controller.port()), client)
+                                          .client(),
+                                      controller);
+                                }))));
+  }
+
+  /** Starts a server with a robot on C3 Bridge. */
+  public static TestPages start(Path folder) throws IOException {
+    return start(ServerType.C3_BRIDGE, folder, cfg -> {});
+  }
+
+  /** Starts a server with a robot. */
+  public static TestPages start(
+      ServerType type, Path folder, Consumer<WebConfig.Builder> settings) throws IOException {
+    return new TestPages(type, folder, cfg -> {}, settings);
+  }
+
+  /** Returns the simulated controller. */
+  public MockServer controller() {
+    return controller;
+  }
+
+  /** Returns the server under test. */
+  public WebServer web() {
+    return web;
+  }
+
+  /** Returns the address of a path. */
+  public URI at(String path) {
+    return URI.create("http://127.0.0.1:" + web.port() + path);
+  }
+
+  /** Sends a request with headers, each a name and a value. */
+  public HttpResponse<String> get(URI address, String... headers)
+      throws IOException, InterruptedException {
+    HttpRequest.Builder request = HttpRequest.newBuilder(address);
+    if (headers.length > 0) {
+      request.headers(headers);
+    }
+    return HTTP.send(request.build(), HttpResponse.BodyHandlers.ofString());
+  }
+
+  /** Returns the cookie of a new browser that came by a link. */
+  public String login(Role role) throws IOException, InterruptedException {
+    String cookie = get(URI.create(web.link(role))).headers().firstValue("set-cookie").orElseThrow();
+    return cookie.substring(0, cookie.indexOf(';'));
+  }
+
+  /** Returns the token for the socket of a page that a browser loads. */
+  public String pageToken(String cookie) throws IOException, InterruptedException {
+    Matcher token = TOKEN.matcher(get(at("/"), "Cookie", cookie).body());
+    if (!token.find()) {
+      throw new AssertionError("the page has no token");
+    }
+    return token.group(1);
+  }
+
+  /** Opens the socket of a new page in a new browser. */
+  public TestSocket open(Role role) throws IOException, InterruptedException {
+    return open(login(role));
+  }
+
+  /** Opens the socket of a new page in a browser. */
+  public TestSocket open(String cookie) throws IOException, InterruptedException {
+    return TestSocket.open(web.port(), cookie, pageToken(cookie), origin());
+  }
+
+  /** Returns the origin of our own page. */
+  public String origin() {
+    return "http://127.0.0.1:" + web.port();
+  }
+
+  @Override
+  public void close() throws IOException {
+    web.close();
+  }
+}

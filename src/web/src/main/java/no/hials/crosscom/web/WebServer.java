@@ -89,7 +89,9 @@ public final class WebServer implements AutoCloseable {
     // a feature adds its commands here
     robots.addTo(commands);
     new AuditCommands(audit, sockets).addTo(commands);
-    new VariableCommands(robots, audit).addTo(commands);
+    VariableCommands variables = new VariableCommands(robots, audit);
+    variables.addTo(commands);
+    variables.preload();
     server.start();
   }
 

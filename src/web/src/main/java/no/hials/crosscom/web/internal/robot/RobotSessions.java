@@ -142,16 +142,16 @@ public final class RobotSessions implements AutoCloseable {
   /** Adds the commands. */
   public void addTo(Commands commands) {
     commands.addQuick("ping", Role.VIEW, (call, answer) -> {});
-    commands.add(
+    commands.addQuick(
         "who",
         Role.VIEW,
         (call, answer) -> {
           answer.put("name", call.viewer().name()).put("role", call.viewer().role().name());
           sessions.keySet().forEach(answer.putArray("robots")::add);
         });
-    commands.add("watch", Role.VIEW, (call, answer) -> watch(call));
-    commands.add("unwatch", Role.VIEW, (call, answer) -> lists(call).remove(key(call)));
-    commands.add("visible", Role.VIEW, (call, answer) -> setVisible(call));
+    commands.addQuick("watch", Role.VIEW, (call, answer) -> watch(call));
+    commands.addQuick("unwatch", Role.VIEW, (call, answer) -> lists(call).remove(key(call)));
+    commands.addQuick("visible", Role.VIEW, (call, answer) -> setVisible(call));
     commands.add("lock", Role.OPERATE, (call, answer) -> setLock(call));
   }
 

@@ -32,6 +32,13 @@ public final class VariableCommands {
     this.audit = audit;
   }
 
+  /** Prepares the search, which takes some 100 ms, in the background. */
+  public void preload() {
+    Thread thread = new Thread(() -> robots.all().forEach(this::catalogue), "web-catalogue");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
   /** Adds the commands. */
   public void addTo(Commands commands) {
     commands.add("search", Role.VIEW, this::search);

@@ -86,7 +86,8 @@ class ArchitectureTest {
           entry("mock", "simulator lang kinematics protocol"),
           entry("cell", "client lang protocol"),
           entry("lab", "cell control client mock simulator kinematics protocol"),
-          entry("cli", "lab cell control client mock simulator lang kinematics protocol"));
+          entry("web", "cell control client mock simulator lang kinematics protocol"),
+          entry("cli", "lab web cell control client mock simulator lang kinematics protocol"));
 
   /** The packages of the simulator that are exported to the mock server. */
   private static final Set<String> INTERNALS_FOR_MOCK =

@@ -74,7 +74,9 @@ public final class WebConfig {
 
     private Builder() {}
 
-    /** Sets the robots of the page, at least one. A robot without a name is called {@code robot}. */
+    /**
+     * Sets the robots of the page, at least one. A robot without a name is called {@code robot}.
+     */
     public Builder robots(List<Robot> value) {
       robots = List.copyOf(value);
       return this;

@@ -66,8 +66,16 @@ class AccessTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"/app.js", "/style/base.css", "/lib/preact.js", "/lib/uplot.css",
-    "/lib/three.module.min.js", "/lib/three.core.min.js", "/lib/orbit-controls.js"})
+  @ValueSource(
+      strings = {
+        "/app.js",
+        "/style/base.css",
+        "/lib/preact.js",
+        "/lib/uplot.css",
+        "/lib/three.module.min.js",
+        "/lib/three.core.min.js",
+        "/lib/orbit-controls.js"
+      })
   void filesAreServedToASession(String path) throws Exception {
     HttpResponse<String> answer = pages.get(pages.at(path), "Cookie", pages.login(Role.VIEW));
 
@@ -77,8 +85,16 @@ class AccessTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"/index.html", "/style/", "/../WebServer.class", "/%2e%2e/WebServer.class",
-    "/style/%2e%2e/index.html", "/META-INF/MANIFEST.MF", "/lib/three.js"})
+  @ValueSource(
+      strings = {
+        "/index.html",
+        "/style/",
+        "/../WebServer.class",
+        "/%2e%2e/WebServer.class",
+        "/style/%2e%2e/index.html",
+        "/META-INF/MANIFEST.MF",
+        "/lib/three.js"
+      })
   void nothingElseOfTheClassPathIsServed(String path) throws Exception {
     assertThat(pages.get(pages.at(path), "Cookie", pages.login(Role.VIEW)).statusCode())
         .isIn(400, 404);
@@ -90,8 +106,7 @@ class AccessTest {
     String tag =
         pages.get(pages.at("/app.js"), "Cookie", cookie).headers().firstValue("etag").orElseThrow();
 
-    assertThat(
-            pages.get(pages.at("/app.js"), "Cookie", cookie, "If-None-Match", tag).statusCode())
+    assertThat(pages.get(pages.at("/app.js"), "Cookie", cookie, "If-None-Match", tag).statusCode())
         .isEqualTo(304);
   }
 
@@ -111,7 +126,14 @@ class AccessTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"evil.example", "evil.example:PORT", "127.0.0.1:1", "127.0.0.1.evil.example:PORT", ""})
+  @ValueSource(
+      strings = {
+        "evil.example",
+        "evil.example:PORT",
+        "127.0.0.1:1",
+        "127.0.0.1.evil.example:PORT",
+        ""
+      })
   void aNameOfAnotherHostIsRefused(String host) throws Exception {
     assertThat(rawStatus(host.replace("PORT", "" + pages.web().port()), pages.login(Role.VIEW)))
         .isIn(400, 403);
@@ -129,10 +151,13 @@ class AccessTest {
   private int rawStatus(String host, String cookie) throws IOException {
     try (Socket socket = new Socket(InetAddress.getLoopbackAddress(), pages.web().port())) {
       String request =
-          "GET / HTTP/1.1\r\nHost: " + host + "\r\nCookie: " + cookie + "\r\nConnection: close\r\n\r\n";
+          "GET / HTTP/1.1\r\nHost: "
+              + host
+              + "\r\nCookie: "
+              + cookie
+              + "\r\nConnection: close\r\n\r\n";
       socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
-      String answer =
-          new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      String answer = new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
       return Integer.parseInt(answer.split(" ", 3)[1]);
     }
   }
@@ -142,12 +167,11 @@ class AccessTest {
     String cookie = pages.login(Role.VIEW);
 
     assertThat(
-            pages.get(pages.at("/"), "Cookie", cookie, "Origin", "http://evil.example").statusCode())
+            pages
+                .get(pages.at("/"), "Cookie", cookie, "Origin", "http://evil.example")
+                .statusCode())
         .isEqualTo(403);
-    assertThat(
-            pages.get(pages.at("/"), "Cookie", cookie, "Origin", pages.origin())
-                .headers()
-                .map())
+    assertThat(pages.get(pages.at("/"), "Cookie", cookie, "Origin", pages.origin()).headers().map())
         .doesNotContainKey("access-control-allow-origin");
   }
 
@@ -167,8 +191,7 @@ class AccessTest {
     String cookie = pages.login(Role.JOG);
     String ofAnother = pages.pageToken(pages.login(Role.JOG));
 
-    assertThatThrownBy(
-            () -> TestSocket.open(pages.web().port(), cookie, ofAnother, pages.origin()))
+    assertThatThrownBy(() -> TestSocket.open(pages.web().port(), cookie, ofAnother, pages.origin()))
         .isInstanceOf(IOException.class);
     TestSocket.open(pages.web().port(), cookie, pages.pageToken(cookie), pages.origin()).close();
   }

@@ -29,8 +29,7 @@ class SharedReadingsTest {
 
   private static void watch(TestSocket socket, String names) throws InterruptedException {
     JsonNode answer =
-        socket.call(
-            "watch", "robot", "'mock'", "list", "'list'", "names", names, "period", "20");
+        socket.call("watch", "robot", "'mock'", "list", "'list'", "names", names, "period", "20");
     assertThat(answer.has("ok")).as(answer.toString()).isTrue();
   }
 

@@ -30,8 +30,20 @@ class SocketTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"", "x", "{", "[]", "1", "null", "{}", "{\"do\": 1}", "{\"do\": \"no\"}",
-    "{\"id\": {}, \"do\": \"watch\"}", "{\"do\": \"search\", \"robot\": \"mock\", \"text\": 1}"})
+  @ValueSource(
+      strings = {
+        "",
+        "x",
+        "{",
+        "[]",
+        "1",
+        "null",
+        "{}",
+        "{\"do\": 1}",
+        "{\"do\": \"no\"}",
+        "{\"id\": {}, \"do\": \"watch\"}",
+        "{\"do\": \"search\", \"robot\": \"mock\", \"text\": 1}"
+      })
   void aWrongMessageIsAnsweredWithAnError(String text) throws Exception {
     try (TestSocket socket = pages.open(Role.VIEW)) {
       socket.send(text);
@@ -90,7 +102,14 @@ class SocketTest {
 
   private static JsonNode write(TestSocket socket, String value) throws InterruptedException {
     return socket.call(
-        "write", "robot", "'mock'", "name", "'$OV_PRO'", "value", "'" + value + "'", "confirmed",
+        "write",
+        "robot",
+        "'mock'",
+        "name",
+        "'$OV_PRO'",
+        "value",
+        "'" + value + "'",
+        "confirmed",
         "true");
   }
 
@@ -125,8 +144,7 @@ class SocketTest {
 
   @Test
   void readOnlyWinsOverAllRoles() throws Exception {
-    try (TestPages own =
-            TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.readOnly(true));
+    try (TestPages own = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.readOnly(true));
         TestSocket socket = own.open(Role.JOG)) {
       assertThat(socket.call("lock", "robot", "'mock'", "locked", "false").path("error").asText())
           .contains("--read-only");
@@ -144,8 +162,12 @@ class SocketTest {
       assertThat(folder.resolve("audit.jsonl"))
           .content()
           .containsSubsequence(
-              "\"name\":\"$OV_PRO\"", "\"after\":\"40\"", "is locked", "\"what\":\"unlock\"",
-              "\"after\":\"50\"", "\"result\":\"done\"");
+              "\"name\":\"$OV_PRO\"",
+              "\"after\":\"40\"",
+              "is locked",
+              "\"what\":\"unlock\"",
+              "\"after\":\"50\"",
+              "\"result\":\"done\"");
     }
   }
 
@@ -154,7 +176,9 @@ class SocketTest {
     try (TestSocket socket = pages.open(Role.VIEW)) {
       JsonNode header =
           socket.await(
-              it -> it.path("event").asText().equals("header") && !it.path("server").asText().isEmpty());
+              it ->
+                  it.path("event").asText().equals("header")
+                      && !it.path("server").asText().isEmpty());
 
       assertThat(header.path("mode").asText()).isEqualTo("#T1");
       assertThat(header.path("override").asText()).isEqualTo("100");
@@ -193,7 +217,14 @@ class SocketTest {
   private static void watch(TestSocket socket, String list, String names, int period)
       throws InterruptedException {
     socket.call(
-        "watch", "robot", "'mock'", "list", "'" + list + "'", "names", "[" + names + "]", "period",
+        "watch",
+        "robot",
+        "'mock'",
+        "list",
+        "'" + list + "'",
+        "names",
+        "[" + names + "]",
+        "period",
         "" + period);
   }
 }

@@ -57,8 +57,8 @@ public final class TestPages implements AutoCloseable {
   }
 
   /** Starts a server with a robot. */
-  public static TestPages start(
-      ServerType type, Path folder, Consumer<WebConfig.Builder> settings) throws IOException {
+  public static TestPages start(ServerType type, Path folder, Consumer<WebConfig.Builder> settings)
+      throws IOException {
     return new TestPages(type, folder, cfg -> {}, settings);
   }
 
@@ -89,7 +89,8 @@ public final class TestPages implements AutoCloseable {
 
   /** Returns the cookie of a new browser that came by a link. */
   public String login(Role role) throws IOException, InterruptedException {
-    String cookie = get(URI.create(web.link(role))).headers().firstValue("set-cookie").orElseThrow();
+    String cookie =
+        get(URI.create(web.link(role))).headers().firstValue("set-cookie").orElseThrow();
     return cookie.substring(0, cookie.indexOf(';'));
   }
 

@@ -88,7 +88,10 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
     socket.sendText(text, true).join();
   }
 
-  /** Sends a command with fields, each a name and its JSON with ' instead of ", and awaits its answer. */
+  /**
+   * Sends a command with fields, each a name and its JSON with ' instead of ", and awaits its
+   * answer.
+   */
   public JsonNode call(String command, String... fields) throws InterruptedException {
     ObjectNode message = MAPPER.createObjectNode().put("id", ++number).put("do", command);
     for (int i = 0; i < fields.length; i += 2) {

@@ -99,7 +99,17 @@ public abstract class ControllerCommand extends ConsoleCommand {
    */
   protected final List<Robot> targets() throws FileException {
     return new RobotChoice(
-            this, "--host", host, "--port", port, robots, mock, simulated(), server, charset, timeout)
+            this,
+            "--host",
+            host,
+            "--port",
+            port,
+            robots,
+            mock,
+            simulated(),
+            server,
+            charset,
+            timeout)
         .targets();
   }
 

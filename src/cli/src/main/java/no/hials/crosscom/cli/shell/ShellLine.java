@@ -8,10 +8,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import no.hials.crosscom.cell.ValueText;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.Suggestions;
-import no.hials.crosscom.cell.ValueText;
 import picocli.CommandLine.TypeConversionException;
 
 /** A parsed line of the shell language; the same for typed lines, pipes and files. */

@@ -7,9 +7,9 @@ import java.util.Optional;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.WriteAnswer;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.ExitCode;
-import no.hials.crosscom.cell.WriteAnswer;
 import no.hials.crosscom.cli.base.WriteOptions;
 
 /** Executes lines of the shell language on one controller. */

@@ -116,9 +116,7 @@ public final class WebCommand extends ConsoleCommand {
   @Option(names = "--open", description = "Open the link in the browser.")
   private boolean open;
 
-  @Option(
-      names = "--read-only",
-      description = "Refuse to send anything that changes a controller.")
+  @Option(names = "--read-only", description = "Refuse to send anything that changes a controller.")
   private boolean readOnly;
 
   @Override
@@ -142,8 +140,7 @@ public final class WebCommand extends ConsoleCommand {
     }
     LoadedFiles loaded = new LoadedFiles(false);
     Archive opened = archive == null ? null : LoadedFiles.open(List.of(archive));
-    Path folder =
-        data == null ? Profiles.path(console()::environment).resolveSibling("web") : data;
+    Path folder = data == null ? Profiles.path(console()::environment).resolveSibling("web") : data;
     WebConfig config =
         WebConfig.create(
             cfg ->
@@ -164,7 +161,9 @@ public final class WebCommand extends ConsoleCommand {
     }
   }
 
-  /** Returns the robots with names: one of the options is called by its address, or {@code mock}. */
+  /**
+   * Returns the robots with names: one of the options is called by its address, or {@code mock}.
+   */
   private static List<Robot> named(List<Robot> targets) {
     return targets.stream()
         .map(

@@ -1,6 +1,4 @@
-/**
- * The record of every change that a viewer makes on a robot.
- */
+/** The record of every change that a viewer makes on a robot. */
 @NullMarked
 package no.hials.crosscom.web.internal.audit;
 

@@ -34,7 +34,8 @@ public final class HostCheck {
       return false;
     }
     String host = request.getHeaders().get(HttpHeader.HOST).toLowerCase(Locale.ROOT);
-    int port = ((InetSocketAddress) request.getConnectionMetaData().getLocalSocketAddress()).getPort();
+    int port =
+        ((InetSocketAddress) request.getConnectionMetaData().getLocalSocketAddress()).getPort();
     return LOOPBACK.stream().anyMatch(name -> host.equals(name + ":" + port))
         || (port == 80 && LOOPBACK.contains(host));
   }

@@ -9,9 +9,9 @@ import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
-import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import no.hials.crosscom.web.internal.socket.Json;
 import no.hials.crosscom.web.internal.socket.Viewer;
 import org.jspecify.annotations.Nullable;
@@ -153,6 +153,7 @@ final class Header {
   private static void put(ObjectNode event, @Nullable String field, ReadOutcome reading) {
     KrlValue value = reading.value();
     // what the controller does not know is null, which the page shows as unknown
-    event.put(field, value == null ? null : new Leaf(field == null ? "" : field, value).text().strip());
+    event.put(
+        field, value == null ? null : new Leaf(field == null ? "" : field, value).text().strip());
   }
 }

@@ -23,11 +23,11 @@ import no.hials.crosscom.CrossComValueException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.Sample.ReadingStatus;
-import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import no.hials.crosscom.Watch;
 import no.hials.crosscom.WatchConfig;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -65,8 +65,7 @@ public final class Hub implements AutoCloseable {
    * @param period the time from one reading to the next
    * @param listener called with the readings; variables with different periods come apart
    */
-  public Subscription subscribe(
-      List<String> names, Duration period, Consumer<Readings> listener) {
+  public Subscription subscribe(List<String> names, Duration period, Consumer<Readings> listener) {
     Subscription added = new Subscription(names, period, listener);
     synchronized (this) {
       subscriptions.add(added);
@@ -130,9 +129,7 @@ public final class Hub implements AutoCloseable {
   }
 
   private static int classOf(Duration period) {
-    return PERIODS.stream()
-        .filter(it -> it <= period.toMillis())
-        .reduce(PERIODS.get(0), Math::max);
+    return PERIODS.stream().filter(it -> it <= period.toMillis()).reduce(PERIODS.get(0), Math::max);
   }
 
   /** Starts and ends polls, so that they read what the subscriptions need. */
@@ -151,7 +148,9 @@ public final class Hub implements AutoCloseable {
       }
     }
     Map<String, Integer> fields = new HashMap<>();
-    periods.keySet().forEach(name -> structure(name).ifPresent(it -> fields.merge(it, 1, Integer::sum)));
+    periods
+        .keySet()
+        .forEach(name -> structure(name).ifPresent(it -> fields.merge(it, 1, Integer::sum)));
     Map<String, Integer> reads = new TreeMap<>();
     periods.forEach(
         (name, period) -> {
@@ -162,7 +161,8 @@ public final class Hub implements AutoCloseable {
           reads.merge(read, period, Math::min);
         });
     Map<Integer, SortedSet<String>> result = new TreeMap<>();
-    reads.forEach((name, period) -> result.computeIfAbsent(period, it -> new TreeSet<>()).add(name));
+    reads.forEach(
+        (name, period) -> result.computeIfAbsent(period, it -> new TreeSet<>()).add(name));
     return result;
   }
 

@@ -2,8 +2,8 @@ package no.hials.crosscom.web.internal.robot;
 
 import java.io.IOException;
 import java.util.Optional;
-import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.Server;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
@@ -97,7 +97,9 @@ public final class RobotSession implements AutoCloseable {
     return Optional.ofNullable((MockServer) connection.simulation());
   }
 
-  /** Returns whether the server is C3 Bridge, which has files and programs; asks it if necessary. */
+  /**
+   * Returns whether the server is C3 Bridge, which has files and programs; asks it if necessary.
+   */
   public boolean isBridge() throws IOException {
     return client().getServer().type() == ServerType.C3_BRIDGE;
   }

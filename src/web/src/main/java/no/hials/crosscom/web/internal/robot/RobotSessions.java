@@ -100,11 +100,7 @@ public final class RobotSessions implements AutoCloseable {
 
     /** Returns the beginning of an event, up to its readings. */
     private static String head(RobotSession robot, String list) {
-      String event =
-          Json.event("samples")
-              .put("robot", robot.name())
-              .put("list", list)
-              .toString();
+      String event = Json.event("samples").put("robot", robot.name()).put("list", list).toString();
       return event.substring(0, event.length() - 1) + ",";
     }
 

@@ -1,6 +1,4 @@
-/**
- * The robots of the page. Each has one connection, and reads what all viewers watch once.
- */
+/** The robots of the page. Each has one connection, and reads what all viewers watch once. */
 @NullMarked
 package no.hials.crosscom.web.internal.robot;
 

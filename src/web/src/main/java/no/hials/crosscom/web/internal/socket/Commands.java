@@ -61,7 +61,8 @@ public final class Commands {
     }
     if (!viewer.role().includes(entry.role)) {
       return answer.put(
-          "error", "this needs the role " + entry.role + "; this browser may only " + viewer.role());
+          "error",
+          "this needs the role " + entry.role + "; this browser may only " + viewer.role());
     }
     ObjectNode result = Json.object();
     try {

@@ -1,6 +1,4 @@
-/**
- * The commands about variables: search, watch, read and write.
- */
+/** The commands about variables: search, watch, read and write. */
 @NullMarked
 package no.hials.crosscom.web.internal.variables;
 

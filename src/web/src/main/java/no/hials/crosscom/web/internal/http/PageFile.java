@@ -4,22 +4,45 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
 import java.util.zip.GZIPOutputStream;
 
-/**
- * A file of the page.
- *
- * @param type its content type
- * @param bytes its content
- * @param zipped its content, compressed by gzip
- * @param tag names this content, for the browser's cache
- */
-record PageFile(String type, byte[] bytes, byte[] zipped, String tag) {
-  static PageFile of(String type, byte[] bytes) {
-    return new PageFile(type, bytes, zip(bytes), '"' + hash(bytes) + '"');
+/** A file of the page, plain and compressed. */
+final class PageFile {
+  private final String type;
+  private final byte[] bytes;
+  private final byte[] zipped;
+  private final String tag;
+
+  /**
+   * Creates a file.
+   *
+   * @param type its content type
+   * @param bytes its content
+   */
+  PageFile(String type, byte[] bytes) {
+    this.type = type;
+    this.bytes = bytes;
+    zipped = zip(bytes);
+    tag = '"' + hash(bytes) + '"';
+  }
+
+  /** Returns the content type. */
+  String type() {
+    return type;
+  }
+
+  /** Returns the content, compressed by gzip or not. */
+  ByteBuffer content(boolean compressed) {
+    return ByteBuffer.wrap(compressed ? zipped : bytes);
+  }
+
+  /** Returns a name of this content, for the cache of browsers. */
+  String tag() {
+    return tag;
   }
 
   /** Returns a resource of the class path. */

@@ -71,7 +71,7 @@ final class PageFiles {
       return Optional.empty();
     }
     String type = TYPES.get(path.substring(path.lastIndexOf('.') + 1));
-    PageFile file = PageFile.of(String.valueOf(type), PageFile.resource(resource));
+    PageFile file = new PageFile(String.valueOf(type), PageFile.resource(resource));
     files.put(path, file);
     return Optional.of(file);
   }

@@ -162,7 +162,7 @@ public final class PageHandler extends Handler.Abstract.NonBlocking {
     if (zipped) {
       headers.put(HttpHeader.CONTENT_ENCODING, "gzip");
     }
-    response.write(true, ByteBuffer.wrap(zipped ? file.zipped() : file.bytes()), callback);
+    response.write(true, file.content(zipped), callback);
     return true;
   }
 

@@ -143,7 +143,7 @@ final class Header {
     Readings readings = last;
     if (readings != null) {
       event.put("time", Readings.millis(readings.time()));
-      event.put("access_ms", readings.access().toNanos() / 1000 / 1e3);
+      event.put("access_ms", Readings.millis(readings.access()));
       readings.values().forEach((name, reading) -> put(event, FIELDS.get(name), reading));
     }
     event.set("lock", robot.lock().json());

@@ -156,7 +156,7 @@ public final class Hub implements AutoCloseable {
         (name, period) -> {
           String read =
               structure(name)
-                  .filter(it -> fields.get(it) > 1 || periods.containsKey(it))
+                  .filter(it -> fields.getOrDefault(it, 0) > 1 || periods.containsKey(it))
                   .orElse(name);
           reads.merge(read, period, Math::min);
         });

@@ -66,7 +66,7 @@ public final class Readings {
 
   private void write(JsonGenerator out) throws IOException {
     out.writeNumberField("time", millis(time));
-    out.writeNumberField("access_ms", access.toNanos() / 1000 / 1e3);
+    out.writeNumberField("access_ms", millis(access));
     out.writeBooleanField("missed", isMissed());
     out.writeObjectFieldStart("values");
     for (Map.Entry<String, ReadOutcome> entry : values.entrySet()) {
@@ -84,6 +84,11 @@ public final class Readings {
 
   /** Returns a time in ms since 1970, with fractions. */
   static double millis(Instant time) {
-    return time.getEpochSecond() * 1e3 + time.getNano() / 1000 / 1e3;
+    return millis(Duration.between(Instant.EPOCH, time));
+  }
+
+  /** Returns a duration in ms, rounded to µs. */
+  static double millis(Duration duration) {
+    return Math.round(duration.getSeconds() * 1e6 + duration.getNano() / 1e3) / 1e3;
   }
 }

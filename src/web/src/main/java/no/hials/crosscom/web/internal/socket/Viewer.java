@@ -197,7 +197,8 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     callback.succeed();
     closed = true;
     sockets.remove(this);
-    for (Runnable task : atClose) {
+    for (Runnable task : List.copyOf(atClose)) {
+      // unless atClose has run it
       if (atClose.remove(task)) {
         task.run();
       }

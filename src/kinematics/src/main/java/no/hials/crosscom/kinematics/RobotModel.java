@@ -181,6 +181,20 @@ public final class RobotModel {
     return name;
   }
 
+  /** Returns the lengths of the arm, and the directions of its axes. */
+  public ArmGeometry geometry() {
+    return new ArmGeometry(
+        arm.a1(),
+        arm.a2(),
+        arm.b(),
+        arm.c1(),
+        arm.c2(),
+        arm.c3(),
+        arm.c4(),
+        arm.sign(),
+        arm.offset());
+  }
+
   /** Returns the home position, where a simulated robot starts. */
   public Axis home() {
     return home;

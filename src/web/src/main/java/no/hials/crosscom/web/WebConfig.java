@@ -3,6 +3,7 @@ package no.hials.crosscom.web;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
@@ -15,6 +16,7 @@ public final class WebConfig {
   private final Path folder;
   private final int port;
   private final boolean readOnly;
+  private final @Nullable Path shapes;
 
   private WebConfig(Builder builder) {
     robots = List.copyOf(builder.robots);
@@ -22,6 +24,7 @@ public final class WebConfig {
     folder = Objects.requireNonNull(builder.folder, "folder");
     port = builder.port;
     readOnly = builder.readOnly;
+    shapes = builder.shapes;
     if (robots.isEmpty()) {
       throw new IllegalArgumentException("name at least one robot");
     }
@@ -64,6 +67,11 @@ public final class WebConfig {
     return readOnly;
   }
 
+  /** Returns the folder with the shapes of the robot's links; empty for generated shapes. */
+  public Optional<Path> shapes() {
+    return Optional.ofNullable(shapes);
+  }
+
   /** Sets the options. Each method sets one option and returns this builder. */
   public static final class Builder {
     private List<Robot> robots = List.of();
@@ -71,6 +79,7 @@ public final class WebConfig {
     private @Nullable Path folder;
     private int port = 8080;
     private boolean readOnly;
+    private @Nullable Path shapes;
 
     private Builder() {}
 
@@ -112,6 +121,18 @@ public final class WebConfig {
     /** Sets whether nothing may be changed on any robot. The default is false. */
     public Builder readOnly(boolean value) {
       readOnly = value;
+      return this;
+    }
+
+    /**
+     * Sets the folder with the shapes of the robot's links, as files in STL format called {@code
+     * base.stl}, {@code a1.stl} to {@code a6.stl} and {@code tool.stl}. Links without a file, and
+     * those of pages without a folder, get a generated shape.
+     *
+     * @param value the folder; null for generated shapes
+     */
+    public Builder shapes(@Nullable Path value) {
+      shapes = value;
       return this;
     }
   }

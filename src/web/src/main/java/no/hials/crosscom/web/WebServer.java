@@ -8,6 +8,8 @@ import no.hials.crosscom.web.internal.audit.AuditCommands;
 import no.hials.crosscom.web.internal.audit.AuditLog;
 import no.hials.crosscom.web.internal.http.PageHandler;
 import no.hials.crosscom.web.internal.http.Tokens;
+import no.hials.crosscom.web.internal.model.ModelCommands;
+import no.hials.crosscom.web.internal.model.ShapeFiles;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Sockets;
@@ -92,6 +94,9 @@ public final class WebServer implements AutoCloseable {
     VariableCommands variables = new VariableCommands(robots, audit);
     variables.addTo(commands);
     variables.preload();
+    ShapeFiles shapes = new ShapeFiles(config.shapes());
+    pages.add("/shapes/", shapes);
+    new ModelCommands(robots, shapes).addTo(commands);
     server.start();
   }
 

@@ -2,6 +2,7 @@ package no.hials.crosscom.cli.web;
 
 import java.io.IOException;
 import java.net.BindException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -113,6 +114,15 @@ public final class WebCommand extends ConsoleCommand {
               + " the configuration file.")
   private @Nullable Path data;
 
+  @Option(
+      names = "--stl",
+      paramLabel = "FOLDER",
+      description =
+          "Folder with the shapes of the robot's links for the 3-D view, in STL format: base.stl,"
+              + " a1.stl to a6.stl, tool.stl. See docs/reference/robots.md#shapes. Default: generated"
+              + " shapes.")
+  private @Nullable Path shapes;
+
   @Option(names = "--open", description = "Open the link in the browser.")
   private boolean open;
 
@@ -138,6 +148,9 @@ public final class WebCommand extends ConsoleCommand {
     if (archive != null && !mock) {
       throw wrongUsage("--archive goes with --mock");
     }
+    if (shapes != null && !Files.isDirectory(shapes)) {
+      throw wrongUsage("--stl: there is no folder " + shapes);
+    }
     LoadedFiles loaded = new LoadedFiles(false);
     Archive opened = archive == null ? null : LoadedFiles.open(List.of(archive));
     Path folder = data == null ? Profiles.path(console()::environment).resolveSibling("web") : data;
@@ -148,6 +161,7 @@ public final class WebCommand extends ConsoleCommand {
                     .opener((robot, settings) -> connect(robot, settings, opened, loaded.mode()))
                     .folder(folder)
                     .port(port)
+                    .shapes(shapes)
                     .readOnly(readOnly));
     try (StopSignal stop = new StopSignal();
         WebServer page = start(config)) {

@@ -1,0 +1,93 @@
+package no.hials.crosscom.web.internal.model;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.kinematics.ArmGeometry;
+import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.robot.RobotSession;
+import no.hials.crosscom.web.internal.robot.RobotSessions;
+import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.Commands;
+import no.hials.crosscom.web.internal.socket.Json;
+
+/** Tells pages the geometry of a robot: its arm, where it stands, and what carries it. */
+public final class ModelCommands {
+  private final RobotSessions robots;
+  private final ShapeFiles shapes;
+
+  /** What real robots have said; their machine data do not change while they run. */
+  private final Map<RobotSession, RobotGeometry> known = new ConcurrentHashMap<>();
+
+  public ModelCommands(RobotSessions robots, ShapeFiles shapes) {
+    this.robots = robots;
+    this.shapes = shapes;
+  }
+
+  /** Adds the command. */
+  public void addTo(Commands commands) {
+    commands.add("model", Role.VIEW, this::model);
+  }
+
+  private void model(Call call, ObjectNode answer) throws IOException {
+    RobotGeometry geometry = geometry(robots.of(call));
+    RobotModel model = geometry.model();
+    answer.put("name", model.name()).put("note", geometry.note()).put("target", geometry.target());
+    ArmGeometry arm = model.geometry();
+    answer
+        .putObject("lengths")
+        .put("a1", arm.a1())
+        .put("a2", arm.a2())
+        .put("b", arm.b())
+        .put("c1", arm.c1())
+        .put("c2", arm.c2())
+        .put("c3", arm.c3())
+        .put("c4", arm.c4());
+    ArrayNode axes = answer.putArray("axes");
+    for (int axis = 0; axis < Axis.COUNT; axis++) {
+      axes.addObject()
+          .put("direction", arm.direction().get(axis))
+          .put("offset", arm.offset().get(axis))
+          .put("minimum", model.minimum(axis))
+          .put("maximum", model.maximum(axis));
+    }
+    answer.set("root", json(geometry.root()));
+    RobotGeometry.Rail rail = geometry.rail();
+    if (rail != null) {
+      ObjectNode json = answer.putObject("rail");
+      json.put("minimum", rail.minimum()).put("maximum", rail.maximum());
+      json.set("from", json(rail.from()));
+      json.set("to", json(rail.to()));
+    }
+    shapes.links().forEach(answer.putArray("shapes")::add);
+  }
+
+  private RobotGeometry geometry(RobotSession robot) throws IOException {
+    RobotGeometry before = known.get(robot);
+    if (before != null) {
+      return before;
+    }
+    Optional<RobotModel> simulated = robot.simulation().map(it -> it.controller().model());
+    RobotGeometry found = RobotGeometry.find(robot.client(), simulated);
+    if (simulated.isEmpty()) {
+      known.put(robot, found);
+    }
+    return found;
+  }
+
+  private static ObjectNode json(Frame frame) {
+    return Json.object()
+        .put("X", frame.x())
+        .put("Y", frame.y())
+        .put("Z", frame.z())
+        .put("A", frame.a())
+        .put("B", frame.b())
+        .put("C", frame.c());
+  }
+}

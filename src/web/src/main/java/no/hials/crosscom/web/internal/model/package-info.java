@@ -1,0 +1,5 @@
+/** What the 3-D view needs of a robot: its geometry, its limits and the shapes of its links. */
+@NullMarked
+package no.hials.crosscom.web.internal.model;
+
+import org.jspecify.annotations.NullMarked;

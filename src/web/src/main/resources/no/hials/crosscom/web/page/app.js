@@ -9,12 +9,7 @@ import { state, useSharedState } from './state.js';
 /** The views by their addresses: the title, and the module, which is loaded when it is needed. */
 const VIEWS = {
   variables: ['Variables', () => import('./view/variables.js')],
-  charts: ['Charts', () => import('./view/charts.js')],
   robot: ['3-D', () => import('./view/robot.js')],
-  programs: ['Programs', () => import('./view/programs.js')],
-  io: ['In/Out', () => import('./view/io.js')],
-  jog: ['Jog', () => import('./view/jog.js')],
-  teach: ['Teach', () => import('./view/teach.js')],
 };
 
 function currentView() {

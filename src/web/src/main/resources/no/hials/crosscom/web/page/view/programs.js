@@ -1,5 +1,0 @@
-import { h } from 'preact';
-
-export function View() {
-  return h('section', { class: 'panel' }, h('h1', null, 'Programs and messages'), h('p', null, 'Nothing here yet.'));
-}

@@ -55,7 +55,7 @@ final class Imports {
   StorageLocation resolve(Import wanted) throws KrlErrorException {
     KrlModule.Data other = data.get(Scope.key(wanted.module()));
     boolean isDeclared = other != null && other.scope().contains(wanted.name());
-    if (isDeclared && other.isPublic()) {
+    if (other != null && isDeclared && other.isPublic()) {
       return new StorageLocation.Shared(other.scope());
     }
     if (globals.contains(wanted.name())) {

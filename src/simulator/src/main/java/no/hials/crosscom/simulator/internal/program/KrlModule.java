@@ -50,7 +50,7 @@ record KrlModule(SourceFile source, Data data, LoadingMode mode) {
           try {
             Import.of(external).ifPresent(imports::add);
           } catch (KrlErrorException e) {
-            continue; // an error of the data list, which was reported when it was loaded
+            // an error of the data list, which was reported when it was loaded
           }
         }
       }

@@ -424,7 +424,7 @@ class ReconnectTest extends RobotTest {
     int failed = 0;
     int known = 0;
     try (CrossComClient its =
-        client(cfg -> cfg.requestTimeout(Duration.ofMillis(40)).reconnectBackoff(TINY, TINY))) {
+        client(cfg -> cfg.requestTimeout(Duration.ofMillis(20)).reconnectBackoff(TINY, TINY))) {
       KRLInt counter = new KRLInt("MYINT");
       for (int i = 1; i <= 10_000; i++) {
         String own = "MYINTS[" + (i % 10 + 1) + "]";
@@ -456,7 +456,7 @@ class ReconnectTest extends RobotTest {
   }
 
   private static Optional<Fault> randomFault(Random random) {
-    return switch (random.nextInt(160)) {
+    return switch (random.nextInt(240)) {
       case 0 -> Optional.of(Fault.drop());
       case 1 -> Optional.of(Fault.dropAnswer());
       case 2 -> Optional.of(Fault.closeBefore());

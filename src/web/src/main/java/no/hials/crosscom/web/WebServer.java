@@ -33,7 +33,7 @@ public final class WebServer implements AutoCloseable {
   private final ServerConnector connector;
   private final Tokens tokens = new Tokens();
 
-  /** What is closed with the server, the last one first. */
+  /** The resources that are closed with the server, the last one first. */
   private final List<AutoCloseable> parts = new ArrayList<>();
 
   private WebServer(WebConfig config) throws IOException {

@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the 3-D view gets: docs/reference/robots.md has the lengths. */
+/** Tests the geometry that the 3-D view gets: docs/reference/robots.md has the lengths. */
 class RobotModelTest {
   @TempDir private Path folder;
 

@@ -118,8 +118,7 @@ public final class WebCommand extends ConsoleCommand {
       names = "--stl",
       paramLabel = "FOLDER",
       description =
-          "Folder with the shapes of the robot's links for the 3-D view, in STL format: base.stl,"
-              + " a1.stl to a6.stl, tool.stl. See docs/reference/robots.md#shapes. Default: generated"
+          "Folder with an STL file for each link of the robot, for the 3-D view. Default: generated"
               + " shapes.")
   private @Nullable Path shapes;
 

@@ -22,7 +22,7 @@ public final class ModelCommands {
   private final RobotSessions robots;
   private final ShapeFiles shapes;
 
-  /** What real robots have said; their machine data do not change while they run. */
+  /** The answers of real robots; their machine data do not change while they run. */
   private final Map<RobotSession, RobotGeometry> known = new ConcurrentHashMap<>();
 
   public ModelCommands(RobotSessions robots, ShapeFiles shapes) {

@@ -18,7 +18,7 @@ import org.eclipse.jetty.util.Callback;
 
 /**
  * Serves the shapes of the robot's links from a folder, one STL file a link
- * (docs/reference/robots.md#shapes). Whoever may look at the robot may look at them.
+ * (docs/reference/robots.md#shapes). Every role may load them.
  */
 public final class ShapeFiles implements Route {
   static final List<String> LINKS = List.of("base", "a1", "a2", "a3", "a4", "a5", "a6", "tool");

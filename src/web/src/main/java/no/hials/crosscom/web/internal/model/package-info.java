@@ -1,4 +1,4 @@
-/** What the 3-D view needs of a robot: its geometry, its limits and the shapes of its links. */
+/** The data of a robot for the 3-D view: its geometry, its limits and the shapes of its links. */
 @NullMarked
 package no.hials.crosscom.web.internal.model;
 

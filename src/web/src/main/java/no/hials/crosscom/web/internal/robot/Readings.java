@@ -9,7 +9,10 @@ import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
-/** What was read at one time. Viewers of the same variables share one object and its JSON. */
+/**
+ * The values that were read at one time. Viewers of the same variables share one object and its
+ * JSON.
+ */
 public final class Readings {
   private final Instant time;
   private final Duration access;
@@ -17,7 +20,7 @@ public final class Readings {
   private @Nullable String json;
 
   /**
-   * What came of reading one variable.
+   * The result of reading one variable.
    *
    * @param value the value; null if there is none
    * @param error why there is no value; empty if there is one

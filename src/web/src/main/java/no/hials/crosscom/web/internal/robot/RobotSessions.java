@@ -60,7 +60,7 @@ public final class RobotSessions implements AutoCloseable {
     return session;
   }
 
-  /** What one viewer watches, by the robot and its own name of the list. */
+  /** The lists that one viewer watches, by the robot and its own name of the list. */
   private static final class Lists {
     private final Map<String, Hub.Subscription> subscriptions = new HashMap<>();
     private boolean hidden;

@@ -8,8 +8,9 @@ import java.util.Queue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What waits to be sent to a viewer. Answers stay in their order; of events of one kind only the
- * newest waits, so that a slow viewer sees the newest state and costs no memory. Thread-safe.
+ * The messages that wait to be sent to a viewer. Answers stay in their order; of events of one kind
+ * only the newest waits, so that a slow viewer sees the newest state and costs no memory.
+ * Thread-safe.
  */
 final class Outbox {
   /** The page waits for answers before it asks for more; a queue this long has another cause. */

@@ -36,8 +36,8 @@ public final class AuditLog {
    * @param robot the name of the robot
    * @param what the kind, such as {@code write}
    * @param name what was changed, such as {@code $OV_PRO}; may be empty
-   * @param before the value before; empty if there is none
-   * @param after the value after; empty if there is none
+   * @param before the value before; empty if it is not known
+   * @param after the value after; empty if nothing was written
    * @param result {@code done}, or why it was not
    */
   public record Entry(

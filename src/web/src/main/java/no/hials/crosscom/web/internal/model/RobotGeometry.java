@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * @param model the arm, with the software limits of the controller where it shows them
  * @param note why this arm was chosen, if it may be another one; empty otherwise
  * @param root the foot of the robot in the world, if nothing carries it
- * @param rail the linear unit that carries the robot; null if there is none
+ * @param rail the linear unit that carries the robot; null without one
  * @param target the variable with the target of the axes; empty if the controller shows none
  */
 record RobotGeometry(

@@ -39,7 +39,7 @@ public final class ShapeFiles implements Route {
     return LINKS.stream().filter(link -> file(link).isPresent()).toList();
   }
 
-  /** Returns the file of a link; empty if there is none. */
+  /** Returns the file of a link; empty without one. */
   private Optional<Path> file(String link) {
     // only the names of links, so that no path leads out of the folder
     return LINKS.contains(link)

@@ -22,7 +22,7 @@ public final class Readings {
   /**
    * The result of reading one variable.
    *
-   * @param value the value; null if there is none
+   * @param value the value; null after an error
    * @param error why there is no value; empty if there is one
    * @param missed whether nothing could be read, as without a connection
    */

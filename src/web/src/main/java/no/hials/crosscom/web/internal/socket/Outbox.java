@@ -30,7 +30,7 @@ final class Outbox {
     events.put(key, text);
   }
 
-  /** Returns the next text to send if none is being sent; null if there is none. */
+  /** Returns the next text to send; null while another is being sent or none waits. */
   synchronized @Nullable String next() {
     if (sending) {
       return null;

@@ -29,9 +29,9 @@ import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
-import no.hials.crosscom.lab.experiment.KrlPrograms;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.KrlPrograms;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -67,8 +67,8 @@ import picocli.CommandLine.Option;
       "UDP: one JSON object per datagram, several times per second:",
       "  {\"axes\": [0.5, 0, 0], \"deadMan\": true}",
       "",
-      "Exit code: 0 after a normal end, also by Ctrl-C (SIGINT) or SIGTERM, 1 if a limit or the state of the controller stopped the"
-          + " robot, 4 if the connection or the device failed.",
+      "Exit code: 0 after a normal end, also by Ctrl-C (SIGINT) or SIGTERM, 1 if a limit or the"
+          + " state of the controller stopped the robot, 4 if the connection or the device failed.",
       "",
       "Examples:",
       "  jopenshowvar drive --mock",

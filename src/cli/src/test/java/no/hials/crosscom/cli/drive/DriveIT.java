@@ -11,11 +11,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.PseudoTerminal;
-import no.hials.crosscom.lab.experiment.KrlPrograms;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.simulator.KrlPrograms;
 import org.assertj.core.api.ThrowingConsumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -169,7 +169,8 @@ class DriveIT {
       assertThat(shown.code()).isEqualTo(2);
       assertThat(shown.text())
           .isEqualTo(
-              "jopenshowvar: the keyboard needs a terminal that sends single keys, TERM is dumb\r\n");
+              "jopenshowvar: the keyboard needs a terminal that sends single keys, TERM is"
+                  + " dumb\r\n");
       assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
     }
   }

@@ -4,6 +4,7 @@ import no.hials.crosscom.control.Law;
 import no.hials.crosscom.control.Twist;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.simulator.KrlPrograms;
 
 /** The four kinds of control of the papers, each with the plane in which it draws figures. */
 enum ControlMethod {

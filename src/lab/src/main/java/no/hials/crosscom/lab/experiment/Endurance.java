@@ -13,6 +13,7 @@ import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
+import no.hials.crosscom.simulator.KrlPrograms;
 
 /**
  * Draws circles for a long time with the shortest useful period, and finds the cause of each missed

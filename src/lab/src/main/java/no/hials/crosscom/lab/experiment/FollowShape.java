@@ -11,6 +11,7 @@ import no.hials.crosscom.lab.plot.Chart;
 import no.hials.crosscom.lab.plot.Panel;
 import no.hials.crosscom.lab.plot.Quantity;
 import no.hials.crosscom.lab.plot.Series;
+import no.hials.crosscom.simulator.KrlPrograms;
 
 /**
  * Draws a figure by one kind of control.

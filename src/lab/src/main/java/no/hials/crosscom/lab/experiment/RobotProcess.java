@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Latency;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.value.Axis;
+import no.hials.crosscom.simulator.KrlPrograms;
 
 /**
  * The process of a {@link SimulatedRobot}. It prints the host and the port it listens on, a line

@@ -6,6 +6,7 @@ import java.io.BufferedReader;
 import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.simulator.KrlPrograms;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

@@ -1,19 +1,17 @@
-package no.hials.crosscom.lab.experiment;
+package no.hials.crosscom.simulator;
 
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.Axis;
-import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.KrlFileException;
 
 /** Prepares a simulated controller to follow a client, as a person would prepare a real one. */
 public final class KrlPrograms {
   /** A5 is not 0, because there the tool cannot move straight in every direction. */
   public static final Axis START = Axis.of(0, -90, 90, 0, 45, 0);
 
-  private static final String FOLDER = "/no/hials/crosscom/lab/krl/";
+  private static final String FOLDER = "client/";
 
   private KrlPrograms() {}
 

@@ -13,6 +13,7 @@ import no.hials.crosscom.web.internal.model.ShapeFiles;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Sockets;
+import no.hials.crosscom.web.internal.teach.TeachCommands;
 import no.hials.crosscom.web.internal.variables.VariableCommands;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
@@ -97,6 +98,7 @@ public final class WebServer implements AutoCloseable {
     ShapeFiles shapes = new ShapeFiles(config.shapes());
     pages.add("/shapes/", shapes);
     new ModelCommands(robots, shapes).addTo(commands);
+    new TeachCommands(robots, audit).addTo(commands);
     server.start();
   }
 

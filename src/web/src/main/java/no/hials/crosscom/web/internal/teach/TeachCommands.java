@@ -1,0 +1,180 @@
+package no.hials.crosscom.web.internal.teach;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.KrlPrograms;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.RobotSession;
+import no.hials.crosscom.web.internal.robot.RobotSessions;
+import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.CommandException;
+import no.hials.crosscom.web.internal.socket.Commands;
+
+/**
+ * Changes a simulated robot as a person at its cabinet does, and its server as a bad network does;
+ * shows the lessons of the tutorial.
+ */
+public final class TeachCommands {
+  private static final int MOST_LATENCY_MILLIS = 5000;
+
+  /** The programs that move the robot by {@code MYPOS} and by {@code MYAXIS}. */
+  private static final List<String> PROGRAMS = List.of("actuator", "ext_move_axis");
+
+  private final RobotSessions robots;
+  private final AuditLog audit;
+  private final Map<RobotSession, Bench> benches = new ConcurrentHashMap<>();
+
+  public TeachCommands(RobotSessions robots, AuditLog audit) {
+    this.robots = robots;
+    this.audit = audit;
+  }
+
+  /** A simulated robot with what the teacher has done to it. */
+  private static final class Bench {
+    final Controller controller;
+    final ServerFaults faults;
+    volatile boolean emergencyStop;
+
+    Bench(MockServer server) {
+      controller = server.controller();
+      faults = new ServerFaults(server);
+    }
+  }
+
+  /** Changes something. */
+  @FunctionalInterface
+  private interface Change {
+    void apply(Bench bench) throws IOException;
+  }
+
+  /** Adds the commands. */
+  public void addTo(Commands commands) {
+    commands.add("teach", Role.VIEW, this::show);
+    commands.add("teach-mode", Role.OPERATE, this::setMode);
+    commands.add("teach-stop", Role.OPERATE, this::setEmergencyStop);
+    commands.add("teach-faults", Role.OPERATE, this::setFaults);
+    commands.add("teach-fault", Role.OPERATE, this::faultOnce);
+    commands.add("teach-program", Role.OPERATE, this::startProgram);
+    commands.add("lessons", Role.VIEW, (call, answer) -> Lessons.list(answer.putArray("lessons")));
+    commands.add(
+        "lesson",
+        Role.VIEW,
+        (call, answer) -> Lessons.show(call.text("name"), answer.putArray("nodes")));
+  }
+
+  private Bench bench(Call call) throws CommandException {
+    RobotSession robot = robots.of(call);
+    MockServer server =
+        robot
+            .simulation()
+            .orElseThrow(
+                () ->
+                    new CommandException(
+                        "this is only for robots that this page simulates (--mock)"));
+    return benches.computeIfAbsent(robot, it -> new Bench(server));
+  }
+
+  private void show(Call call, ObjectNode answer) throws CommandException {
+    answer.put("simulated", robots.of(call).simulation().isPresent());
+    if (robots.of(call).simulation().isPresent()) {
+      Bench bench = bench(call);
+      ServerFaults.Settings faults = bench.faults.settings();
+      answer.put("emergency_stop", bench.emergencyStop);
+      answer.put("latency_ms", faults.latencyMillis());
+      answer.put("lost_percent", faults.lostPercent());
+      answer.put("silent", faults.silent());
+    }
+  }
+
+  /** Makes a change that is allowed, and writes it into the audit log. */
+  private void change(Call call, String name, String value, Change change) throws IOException {
+    Bench bench = bench(call);
+    RobotSession robot = robots.of(call);
+    String result = "done";
+    try {
+      robot.lock().check(call, "set " + name);
+      change.apply(bench);
+    } catch (IOException | IllegalArgumentException e) {
+      result = String.valueOf(e.getMessage());
+      throw e;
+    } catch (IllegalStateException e) {
+      result = String.valueOf(e.getMessage());
+      throw new CommandException(result);
+    } finally {
+      audit.add(
+          new AuditLog.Entry(call.viewer().name(), robot.name(), "teach", name, "", value, result));
+    }
+  }
+
+  private void setMode(Call call, ObjectNode answer) throws IOException {
+    String text = call.text("mode");
+    OperatingMode mode =
+        List.of(OperatingMode.values()).stream()
+            .filter(it -> it.name().equals(text))
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    new CommandException("mode must be one of " + List.of(OperatingMode.values())));
+    change(call, "the operating mode", text, bench -> bench.controller.setMode(mode));
+  }
+
+  private void setEmergencyStop(Call call, ObjectNode answer) throws IOException {
+    boolean pressed = call.flag("pressed");
+    change(
+        call,
+        "the emergency stop",
+        pressed ? "pressed" : "released",
+        bench -> {
+          bench.controller.emergencyStop(pressed);
+          bench.emergencyStop = pressed;
+        });
+  }
+
+  private void setFaults(Call call, ObjectNode answer) throws IOException {
+    ServerFaults.Settings settings =
+        new ServerFaults.Settings(
+            (int) call.number("latency_ms", 0, MOST_LATENCY_MILLIS),
+            (int) call.number("lost_percent", 0, 100),
+            call.flag("silent"));
+    change(call, "faults", settings.toString(), bench -> bench.faults.set(settings));
+  }
+
+  private void faultOnce(Call call, ObjectNode answer) throws IOException {
+    String kind = call.text("kind");
+    switch (kind) {
+      case "lose" -> change(call, "a fault", kind, bench -> bench.faults.loseNextAnswer());
+      case "cut" -> change(call, "a fault", kind, bench -> bench.faults.cutConnections());
+      default -> throw new CommandException("kind must be lose or cut");
+    }
+  }
+
+  /** Ends all faults, moves the robot to its start, and starts a program there in mode AUT. */
+  private void startProgram(Call call, ObjectNode answer) throws IOException {
+    String program = call.text("program").toLowerCase(Locale.ROOT);
+    if (!PROGRAMS.contains(program)) {
+      throw new CommandException("program must be one of " + PROGRAMS);
+    }
+    change(
+        call,
+        "the program",
+        program,
+        bench -> {
+          Controller controller = bench.controller;
+          bench.faults.set(ServerFaults.Settings.NONE);
+          controller.emergencyStop(false);
+          bench.emergencyStop = false;
+          controller.robot().cancel();
+          controller.submit().cancel();
+          controller.confirmAll();
+          KrlPrograms.start(controller, KrlPrograms.START, program);
+        });
+  }
+}

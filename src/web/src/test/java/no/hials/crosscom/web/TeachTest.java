@@ -1,0 +1,204 @@
+package no.hials.crosscom.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class TeachTest {
+  @TempDir private Path folder;
+  private TestPages pages;
+  private TestSocket socket;
+
+  @BeforeEach
+  void start() throws Exception {
+    pages = TestPages.start(folder);
+    socket = pages.open(Role.OPERATE);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    socket.close();
+    pages.close();
+  }
+
+  private void unlock() throws InterruptedException {
+    assertThat(socket.call("lock", "robot", "'mock'", "locked", "false").has("ok")).isTrue();
+  }
+
+  private JsonNode set(String command, String name, String value) throws InterruptedException {
+    return socket.call(command, "robot", "'mock'", name, value, "confirmed", "true");
+  }
+
+  private JsonNode bench() throws InterruptedException {
+    return socket.call("teach", "robot", "'mock'").path("ok");
+  }
+
+  @Test
+  void nothingChangesWhileTheRobotIsLocked() throws Exception {
+    assertThat(set("teach-mode", "mode", "'AUT'").path("error").asText())
+        .isEqualTo("did not set the operating mode: the robot is locked");
+    assertThat(set("teach-stop", "pressed", "true").path("error").asText())
+        .isEqualTo("did not set the emergency stop: the robot is locked");
+    assertThat(set("teach-program", "program", "'actuator'").path("error").asText())
+        .isEqualTo("did not set the program: the robot is locked");
+    assertThat(pages.controller().controller().mode()).isEqualTo(OperatingMode.T1);
+    assertThat(bench().path("emergency_stop").asBoolean()).isFalse();
+  }
+
+  @Test
+  void theKeyTurnsToEachMode() throws Exception {
+    unlock();
+    for (OperatingMode mode : OperatingMode.values()) {
+      assertThat(set("teach-mode", "mode", "'" + mode.name() + "'").has("ok")).isTrue();
+      assertThat(pages.controller().controller().mode()).isEqualTo(mode);
+    }
+    assertThat(set("teach-mode", "mode", "'T3'").path("error").asText())
+        .isEqualTo("mode must be one of [T1, T2, AUT, EXT]");
+  }
+
+  @Test
+  void aProgramFollowsItsVariableUntilTheEmergencyStop() throws Exception {
+    unlock();
+    assertThat(set("teach-program", "program", "'actuator'").has("ok")).isTrue();
+    assertThat(pages.controller().variables().get("$PRO_NAME1[]")).isEqualTo("\"ACTUATOR\"");
+    assertThat(pages.controller().variables().get("$PRO_STATE1")).isEqualTo("#P_ACTIVE");
+
+    assertThat(set("teach-stop", "pressed", "true").has("ok")).isTrue();
+
+    assertThat(bench().path("emergency_stop").asBoolean()).isTrue();
+    assertThat(pages.controller().variables().get("$PRO_STATE1")).isEqualTo("#P_STOP");
+  }
+
+  @Test
+  void startingAProgramEndsFaultsAndTheEmergencyStop() throws Exception {
+    unlock();
+    set("teach-stop", "pressed", "true");
+    JsonNode late =
+        socket.call(
+            "teach-faults",
+            "robot",
+            "'mock'",
+            "latency_ms",
+            "200",
+            "lost_percent",
+            "10",
+            "silent",
+            "false",
+            "confirmed",
+            "true");
+    assertThat(late.has("ok")).isTrue();
+    assertThat(bench().path("latency_ms").asInt()).isEqualTo(200);
+    assertThat(bench().path("lost_percent").asInt()).isEqualTo(10);
+
+    assertThat(set("teach-program", "program", "'ext_move_axis'").has("ok")).isTrue();
+
+    assertThat(bench().path("latency_ms").asInt()).isZero();
+    assertThat(bench().path("lost_percent").asInt()).isZero();
+    assertThat(bench().path("emergency_stop").asBoolean()).isFalse();
+    assertThat(pages.controller().variables().get("$PRO_NAME1[]")).isEqualTo("\"EXT_MOVE_AXIS\"");
+  }
+
+  @Test
+  void aSilentServerMakesTheHeaderLoseItsConnection() throws Exception {
+    unlock();
+    socket.await(
+        it ->
+            it.path("event").asText().equals("header")
+                && it.path("connection").asText().equals("connected"));
+
+    socket.call(
+        "teach-faults",
+        "robot",
+        "'mock'",
+        "latency_ms",
+        "0",
+        "lost_percent",
+        "0",
+        "silent",
+        "true",
+        "confirmed",
+        "true");
+
+    socket.await(
+        it ->
+            it.path("event").asText().equals("header")
+                && it.path("connection").asText().equals("lost"));
+  }
+
+  @Test
+  void oddFaultsAreRefused() throws Exception {
+    unlock();
+    assertThat(set("teach-fault", "kind", "'explode'").path("error").asText())
+        .isEqualTo("kind must be lose or cut");
+    assertThat(set("teach-faults", "latency_ms", "-1").path("error").asText())
+        .isEqualTo("latency_ms must be 0.0 to 5000.0, is -1");
+    assertThat(set("teach-program", "program", "'../x'").path("error").asText())
+        .isEqualTo("program must be one of [actuator, ext_move_axis]");
+  }
+
+  @Test
+  void everyChangeIsInTheAuditLog() throws Exception {
+    unlock();
+    set("teach-mode", "mode", "'AUT'");
+
+    JsonNode last = null;
+    for (JsonNode line : socket.call("audit").path("ok").path("lines")) {
+      last = line;
+    }
+    assertThat(String.valueOf(last)).contains("teach", "the operating mode", "AUT", "done");
+  }
+
+  @Test
+  void theLessonsAreThoseOfTheTutorial() throws Exception {
+    JsonNode lessons = socket.call("lessons").path("ok").path("lessons");
+
+    assertThat(lessons).hasSize(10);
+    assertThat(lessons.get(0).path("title").asText()).isEqualTo("1 Read a variable");
+    for (JsonNode lesson : lessons) {
+      JsonNode nodes =
+          socket.call("lesson", "name", lesson.path("name").toString()).path("ok").path("nodes");
+      assertThat(nodes.get(0).path("kind").asText()).isEqualTo("h2");
+      assertThat(nodes.get(0).path("children").get(0).path("text").asText())
+          .isEqualTo(lesson.path("title").asText());
+    }
+    assertThat(socket.call("lesson", "name", "'../../index'").path("error").asText())
+        .isEqualTo("there is no such lesson");
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void aRobotOfAnotherProcessHasNothingToTeach(ServerType type) throws Exception {
+    try (MockServer server = MockServer.start(cfg -> cfg.server(type));
+        TestPages other =
+            TestPages.start(
+                type,
+                folder,
+                cfg ->
+                    cfg.opener(
+                        (one, client) ->
+                            RobotConnection.open(one.at(server.host(), server.port()), client)));
+        TestSocket operator = other.open(Role.OPERATE)) {
+      JsonNode teach = operator.call("teach", "robot", "'mock'");
+      assertThat(teach.path("ok").path("simulated").asBoolean(true)).isFalse();
+      assertThat(
+              operator
+                  .call("teach-mode", "robot", "'mock'", "mode", "'AUT'", "confirmed", "true")
+                  .path("error")
+                  .asText())
+          .isEqualTo("this is only for robots that this page simulates (--mock)");
+      assertThat(server.controller().mode()).isEqualTo(OperatingMode.T1);
+    }
+  }
+}

@@ -10,6 +10,7 @@ import { state, useSharedState } from './state.js';
 const VIEWS = {
   variables: ['Variables', () => import('./view/variables.js')],
   robot: ['3-D', () => import('./view/robot.js')],
+  teach: ['Teach', () => import('./view/teach.js')],
 };
 
 function currentView() {

@@ -1,7 +1,6 @@
 package no.hials.crosscom.cli.shell;
 
 import java.io.IOException;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -13,17 +12,13 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import no.hials.crosscom.c3.ControllerFiles;
-import no.hials.crosscom.c3.FileEntry;
-import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.cell.ControllerDataLists;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.lang.DataList;
-import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -32,12 +27,6 @@ import org.jspecify.annotations.Nullable;
  * the data lists in a separate daemon thread.
  */
 final class ShellSymbols {
-  private static final String ROOT = "KRC:\\R1";
-  private static final int MAX_DEPTH = 6;
-
-  /** The maximum number of files; more would take longer than a user waits. */
-  private static final int MAX_FILES = 300;
-
   /** How long to wait for names from the controller before answering without them. */
   private static final long MAX_SECONDS_TO_WAIT = 2;
 
@@ -129,32 +118,10 @@ final class ShellSymbols {
 
   /** Returns the data lists on the controller that could be read. */
   private Map<String, DataList> dataLists() {
-    Map<String, DataList> lists = new LinkedHashMap<>();
     try {
-      if (controller.client().getServer().type() == ServerType.C3_BRIDGE) {
-        collect(controller.client().files(), ROOT, 0, lists);
-      }
+      return ControllerDataLists.read(controller.client());
     } catch (IOException e) {
-      // the names only help to type; the next line reports what is wrong
-    }
-    return lists;
-  }
-
-  private static void collect(
-      ControllerFiles files, String directory, int depth, Map<String, DataList> lists)
-      throws IOException {
-    for (FileEntry entry : files.list(directory)) {
-      String path = directory + "\\" + entry.name();
-      if (entry.isDirectory() && depth < MAX_DEPTH) {
-        collect(files, path, depth + 1, lists);
-      } else if (entry.name().toLowerCase(Locale.ROOT).endsWith(".dat")
-          && lists.size() < MAX_FILES) {
-        String text = files.downloadText(path, TransferConfig.DEFAULT);
-        KrlParser.parse(path, text)
-            .file()
-            .filter(DataList.class::isInstance)
-            .ifPresent(list -> lists.put(path, (DataList) list));
-      }
+      return Map.of(); // the names only help to type; the next line reports what is wrong
     }
   }
 }

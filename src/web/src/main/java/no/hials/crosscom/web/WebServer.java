@@ -92,7 +92,7 @@ public final class WebServer implements AutoCloseable {
     // a feature adds its commands here
     robots.addTo(commands);
     new AuditCommands(audit, sockets).addTo(commands);
-    VariableCommands variables = new VariableCommands(robots, audit);
+    VariableCommands variables = new VariableCommands(robots, audit, sockets);
     variables.addTo(commands);
     variables.preload();
     ShapeFiles shapes = new ShapeFiles(config.shapes());

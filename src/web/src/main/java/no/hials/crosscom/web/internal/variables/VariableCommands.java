@@ -17,7 +17,10 @@ import no.hials.crosscom.web.internal.audit.AuditLog;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
+import no.hials.crosscom.web.internal.socket.Json;
+import no.hials.crosscom.web.internal.socket.Sockets;
 
 /** Searches the catalogue, and reads and writes single variables. */
 public final class VariableCommands {
@@ -25,18 +28,13 @@ public final class VariableCommands {
 
   private final RobotSessions robots;
   private final AuditLog audit;
-  private final Map<RobotSession, Catalogue> catalogues = new ConcurrentHashMap<>();
+  private final Sockets sockets;
+  private final Map<RobotSession, KnownNames> names = new ConcurrentHashMap<>();
 
-  public VariableCommands(RobotSessions robots, AuditLog audit) {
+  public VariableCommands(RobotSessions robots, AuditLog audit, Sockets sockets) {
     this.robots = robots;
     this.audit = audit;
-  }
-
-  /** Prepares the search, which takes some 100 ms, in the background. */
-  public void preload() {
-    Thread thread = new Thread(() -> robots.all().forEach(this::catalogue), "web-catalogue");
-    thread.setDaemon(true);
-    thread.start();
+    this.sockets = sockets;
   }
 
   /** Adds the commands. */
@@ -44,28 +42,42 @@ public final class VariableCommands {
     commands.add("search", Role.VIEW, this::search);
     commands.add("describe", Role.VIEW, this::describe);
     commands.add("read", Role.VIEW, this::read);
+    commands.add("check", Role.OPERATE, this::check);
     commands.add("write", Role.OPERATE, this::write);
   }
 
-  /** Returns the variables of a robot that are known without asking its controller. */
-  private Catalogue catalogue(RobotSession robot) {
-    return catalogues.computeIfAbsent(
+  /** Prepares the search, which takes some 100 ms, in the background. */
+  public void preload() {
+    robots.all().forEach(robot -> names(robot).load());
+  }
+
+  private KnownNames names(RobotSession robot) {
+    return names.computeIfAbsent(
         robot,
         it ->
-            it.simulation()
-                .map(server -> Catalogue.of(server.variables().toDataList("$VARIABLES")))
-                .orElseGet(Catalogue::system));
+            new KnownNames(
+                it,
+                () ->
+                    sockets.broadcast(
+                        "names/" + it.name(), Json.event("names").put("robot", it.name()))));
   }
 
   private void search(Call call, ObjectNode answer) throws IOException {
     List<String> words = List.of(call.text("text", 200).toLowerCase(Locale.ROOT).split("\\s+"));
     int limit = (int) call.number("limit", 1, MOST_FOUND);
+    KnownNames known = names(robots.of(call));
+    Catalogue catalogue = known.catalogue();
     List<CatalogueEntry> found =
-        catalogue(robots.of(call)).variables().stream()
-            .filter(entry -> matches(entry, words))
-            .toList();
-    ArrayNode list = answer.put("total", found.size()).putArray("found");
-    found.stream().limit(limit).forEach(entry -> write(entry, list.addObject()));
+        catalogue.variables().stream().filter(entry -> matches(entry, words)).toList();
+    answer.put("total", found.size());
+    answer.put("loading", known.isLoading());
+    ArrayNode list = answer.putArray("found");
+    found.stream()
+        .limit(limit)
+        .forEach(
+            entry ->
+                write(entry, list.addObject())
+                    .put("structure", !catalogue.fields(entry).isEmpty()));
   }
 
   private static boolean matches(CatalogueEntry entry, List<String> words) {
@@ -75,24 +87,25 @@ public final class VariableCommands {
     return words.stream().allMatch(all::contains);
   }
 
-  private static void write(CatalogueEntry entry, ObjectNode json) {
+  private static ObjectNode write(CatalogueEntry entry, ObjectNode json) {
     json.put("name", entry.name());
     json.put("type", entry.type());
     entry.dimensions().forEach(json.putArray("dimensions")::add);
     json.put("unit", entry.unit());
     json.put("access", entry.shortAccess());
     json.put("meaning", entry.meaning());
-    json.put("origin", entry.origin());
+    return json.put("origin", entry.origin());
   }
 
   /** Answers with the entry of a variable, the fields of its type, and the constants. */
   private void describe(Call call, ObjectNode answer) throws IOException {
-    Catalogue catalogue = catalogue(robots.of(call));
+    Catalogue catalogue = names(robots.of(call)).catalogue();
     catalogue
         .find(call.text("name"))
         .ifPresent(
             entry -> {
               write(entry, answer.putObject("entry"));
+              answer.put("range", range(entry));
               ArrayNode fields = answer.putArray("fields");
               catalogue.fields(entry).forEach(field -> write(field, fields.addObject()));
               ArrayNode constants = answer.putArray("constants");
@@ -104,8 +117,35 @@ public final class VariableCommands {
             });
   }
 
+  /** Returns the values that a type allows, for people; empty if its constants say it. */
+  private static String range(CatalogueEntry entry) {
+    if (entry.isText()) {
+      return "text of at most " + entry.dimensions().get(0) + " characters";
+    }
+    return switch (entry.type()) {
+      case "INT" -> Integer.MIN_VALUE + " to " + Integer.MAX_VALUE;
+      case "REAL" -> "-3.4E+38 to 3.4E+38, about 7 digits";
+      case "CHAR" -> "one character";
+      default -> "";
+    };
+  }
+
   private void read(Call call, ObjectNode answer) throws IOException {
     answer.put("text", robots.of(call).client().readText(call.text("name")));
+  }
+
+  /** Checks whether a text can be a value of a variable. Sends no write. */
+  private void check(Call call, ObjectNode answer) throws IOException {
+    checkValue(robots.of(call), call.text("name"), call.text("value").strip());
+  }
+
+  private static void checkValue(RobotSession robot, String name, String value) throws IOException {
+    try {
+      ValueText.parse(name, value, "");
+    } catch (IllegalArgumentException e) {
+      throw new CommandException("the value for " + name + " " + e.getMessage());
+    }
+    robot.client().checkText(name, value);
   }
 
   /** Writes a variable, and answers with its value as read afterwards. */
@@ -116,8 +156,7 @@ public final class VariableCommands {
     String before = call.optionalText("before").orElse("");
     String result = "done";
     try {
-      ValueText.parse(name, value, "");
-      robot.client().checkText(name, value);
+      checkValue(robot, name, value);
       robot.lock().check(call, "write " + name);
       WriteAnswer.check(name, value, robot.client().writeText(name, value));
     } catch (IOException | IllegalArgumentException e) {

@@ -1,0 +1,86 @@
+package no.hials.crosscom.web.internal.variables;
+
+import java.io.IOException;
+import no.hials.crosscom.cell.Catalogue;
+import no.hials.crosscom.cell.ControllerDataLists;
+import no.hials.crosscom.web.internal.robot.RobotSession;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * The variables of a robot that the page can name: those of every controller, and those that the
+ * data lists on this controller declare, which only C3 Bridge can read. Thread-safe.
+ */
+final class KnownNames {
+  private static final Logger LOG = LoggerFactory.getLogger(KnownNames.class);
+
+  private final RobotSession robot;
+  private final Runnable listener;
+
+  // guarded by this
+  private @Nullable Catalogue known;
+  private boolean loading;
+  private boolean complete;
+
+  /**
+   * Creates the names of a robot.
+   *
+   * @param listener called when further names are known
+   */
+  KnownNames(RobotSession robot, Runnable listener) {
+    this.robot = robot;
+    this.listener = listener;
+  }
+
+  /** Loads the names in the background, unless they are loaded. */
+  void load() {
+    Thread thread = new Thread(this::catalogue, "web-names");
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /** Returns the names that are known now. Starts to read the data lists on the controller. */
+  synchronized Catalogue catalogue() {
+    Catalogue names = known;
+    if (names == null) {
+      complete = robot.simulation().isPresent();
+      names =
+          robot
+              .simulation()
+              .map(server -> Catalogue.of(server.variables().toDataList("$VARIABLES")))
+              .orElseGet(Catalogue::system);
+      known = names;
+    }
+    if (!complete && !loading) {
+      loading = true;
+      Catalogue base = names;
+      Thread thread = new Thread(() -> readLists(base), "web-data-lists");
+      thread.setDaemon(true);
+      thread.start();
+    }
+    return names;
+  }
+
+  /** Returns whether the data lists are being read. */
+  synchronized boolean isLoading() {
+    return loading;
+  }
+
+  private void readLists(Catalogue base) {
+    try {
+      Catalogue all = base.plus(ControllerDataLists.read(robot.client()));
+      synchronized (this) {
+        known = all;
+        complete = true;
+        loading = false;
+      }
+      listener.run();
+    } catch (IOException e) {
+      LOG.debug("the data lists could not be read, the next search tries again", e);
+      synchronized (this) {
+        loading = false;
+      }
+    }
+  }
+}

@@ -1,0 +1,88 @@
+package no.hials.crosscom.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.nio.file.Path;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class VariablesTest {
+  @TempDir private Path folder;
+
+  private static JsonNode describe(TestSocket socket, String name) throws InterruptedException {
+    return socket.call("describe", "robot", "'mock'", "name", "'" + name + "'").path("ok");
+  }
+
+  private static String check(TestSocket socket, String name, String value)
+      throws InterruptedException {
+    return socket
+        .call("check", "robot", "'mock'", "name", "'" + name + "'", "value", "'" + value + "'")
+        .path("error")
+        .asText();
+  }
+
+  @Test
+  void aDescriptionHasTheRangeOrTheConstantsOfTheType() throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket socket = pages.open(Role.VIEW)) {
+      assertThat(describe(socket, "$OV_PRO").path("range").asText())
+          .isEqualTo("-2147483648 to 2147483647");
+      assertThat(describe(socket, "$POS_ACT.X").path("range").asText())
+          .isEqualTo("-3.4E+38 to 3.4E+38, about 7 digits");
+      assertThat(describe(socket, "$MODE_OP").path("range").asText()).isEmpty();
+      assertThat(describe(socket, "$MODE_OP").path("constants").toString()).contains("#T1", "#AUT");
+    }
+  }
+
+  @Test
+  void aValueIsCheckedWithoutBeingWritten() throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      assertThat(check(socket, "$OV_PRO", "50")).isEmpty();
+      assertThat(check(socket, "$OV_PRO", "{X 1")).contains("$OV_PRO");
+      assertThat(pages.controller().variables().get("$OV_PRO")).isEqualTo("100");
+    }
+  }
+
+  @Test
+  void variablesOfTheControllersDataListsAreFound() throws Exception {
+    try (MockServer server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
+        TestPages pages =
+            TestPages.start(
+                ServerType.C3_BRIDGE,
+                folder,
+                cfg ->
+                    cfg.opener(
+                        (one, client) ->
+                            RobotConnection.open(one.at(server.host(), server.port()), client)));
+        TestSocket socket = pages.open(Role.VIEW)) {
+      try (CrossComClient client = new CrossComClient(server.host(), server.port())) {
+        client
+            .files()
+            .uploadText(
+                "DEFDAT GRIPPER PUBLIC\nDECL GLOBAL REAL JAW_WIDTH=12.5\nENDDAT\n",
+                "KRC:\\R1\\Program\\gripper.dat",
+                TransferConfig.DEFAULT);
+      }
+      JsonNode first =
+          socket.call("search", "robot", "'mock'", "text", "'jaw_width'", "limit", "5").path("ok");
+      assertThat(first.path("total").asInt()).isZero();
+      assertThat(first.path("loading").asBoolean()).isTrue();
+
+      socket.awaitEvent("names");
+      JsonNode found =
+          socket.call("search", "robot", "'mock'", "text", "'jaw_width'", "limit", "5").path("ok");
+
+      assertThat(found.path("total").asInt()).isEqualTo(1);
+      assertThat(found.path("found").get(0).path("type").asText()).isEqualTo("REAL");
+      assertThat(found.path("found").get(0).path("origin").asText())
+          .isEqualTo("KRC:\\R1\\Program\\gripper.dat");
+    }
+  }
+}

@@ -15,6 +15,7 @@ import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Sockets;
 import no.hials.crosscom.web.internal.teach.TeachCommands;
 import no.hials.crosscom.web.internal.variables.VariableCommands;
+import no.hials.crosscom.web.internal.variables.WatchListCommands;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
 import org.eclipse.jetty.server.Server;
@@ -95,6 +96,7 @@ public final class WebServer implements AutoCloseable {
     VariableCommands variables = new VariableCommands(robots, audit, sockets);
     variables.addTo(commands);
     variables.preload();
+    new WatchListCommands(config.folder(), sockets).addTo(commands);
     ShapeFiles shapes = new ShapeFiles(config.shapes());
     pages.add("/shapes/", shapes);
     new ModelCommands(robots, shapes).addTo(commands);

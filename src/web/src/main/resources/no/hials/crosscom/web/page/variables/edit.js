@@ -1,0 +1,120 @@
+// The dialog that changes a variable: type and range, the new value, and a confirmation.
+
+import { h } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { Dialog } from '../dialog.js';
+import { call } from '../socket.js';
+import { header, note, state } from '../state.js';
+
+function Facts({ entry, range, constants }) {
+  const rows = [
+    ['Type', [entry.type, entry.unit].filter((it) => it && it !== '-').join(', ')],
+    ['Range of the type', range || constants.join(', ')],
+    ['Meaning', entry.meaning],
+    ['Declared in', entry.origin],
+  ];
+  return h(
+    'dl',
+    { class: 'change facts' },
+    rows
+      .filter(([, text]) => text)
+      .map(([title, text]) => [h('dt', { key: title }, title), h('dd', null, text)]),
+  );
+}
+
+/** Asks for a new value, and then whether to write it. */
+export function Edit({ name, onClose }) {
+  const [before, setBefore] = useState(null);
+  const [value, setValue] = useState('');
+  const [known, setKnown] = useState({ constants: [] });
+  const [asked, setAsked] = useState(false);
+  const [error, setError] = useState('');
+  useEffect(() => {
+    call('read', { robot: state.robot, name })
+      .then(({ text }) => {
+        setBefore(text);
+        setValue(text);
+      })
+      .catch((e) => setError(e.message));
+    call('describe', { robot: state.robot, name })
+      .then((answer) => setKnown({ constants: [], ...answer }))
+      .catch(() => {});
+  }, [name]);
+  const attempt = async (work) => {
+    setError('');
+    try {
+      await work();
+    } catch (e) {
+      setAsked(false);
+      setError(e.message);
+    }
+  };
+  const check = async () => {
+    await call('check', { robot: state.robot, name, value });
+    setAsked(true);
+  };
+  const write = async () => {
+    const fields = { robot: state.robot, name, value, before: before ?? '', confirmed: true };
+    const { text } = await call('write', fields);
+    note('done', `${name} = ${text}`);
+    onClose();
+  };
+  const submit = (event) => {
+    event.preventDefault();
+    attempt(asked ? write : check);
+  };
+  const readOnly = known.entry?.access === 'RO';
+  return h(
+    Dialog,
+    { title: asked ? `Write ${name}?` : `Change ${name}`, onClose },
+    h(
+      'form',
+      { onSubmit: submit },
+      asked
+        ? h(
+            'dl',
+            { class: 'change' },
+            h('dt', null, 'Robot'),
+            h('dd', null, `${state.robot}, mode ${header().mode ?? 'unknown'}`),
+            h('dt', null, 'Old'),
+            h('dd', { class: 'variable' }, before),
+            h('dt', null, 'New'),
+            h('dd', { class: 'variable new' }, value),
+          )
+        : [
+            known.entry && h(Facts, { key: 'facts', ...known }),
+            h(
+              'label',
+              { key: 'value' },
+              'New value, as KRL',
+              h('input', {
+                value,
+                list: 'constants',
+                autofocus: true,
+                spellcheck: false,
+                autocomplete: 'off',
+                onInput: (event) => setValue(event.target.value),
+              }),
+              h(
+                'datalist',
+                { id: 'constants' },
+                known.constants.map((one) => h('option', { key: one, value: one })),
+              ),
+            ),
+            readOnly &&
+              h('p', { key: 'access', class: 'hint' }, 'Controllers do not let clients write it.'),
+          ],
+      error && h('p', { class: 'failure', role: 'alert' }, error),
+      h(
+        'div',
+        { class: 'buttons' },
+        h('button', { type: 'button', class: 'quiet', onClick: onClose }, 'Cancel'),
+        h(
+          'button',
+          { class: 'main', disabled: before === null || value.trim() === '' },
+          asked ? 'Write' : 'Continue',
+        ),
+      ),
+    ),
+  );
+}

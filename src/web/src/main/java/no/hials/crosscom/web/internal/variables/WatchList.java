@@ -72,7 +72,7 @@ record WatchList(int periodMillis, List<String> names) {
   static WatchList parse(String text) throws CommandException {
     int period = DEFAULT_PERIOD;
     List<String> names = new ArrayList<>();
-    for (String line : text.replace("\uFEFF", "").split("\\R")) {
+    for (String line : text.replace("\uFEFF", "").lines().toList()) {
       String word = line.strip();
       Matcher comment = PERIOD.matcher(word);
       if (comment.matches()) {

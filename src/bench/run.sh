@@ -8,6 +8,7 @@
 #   src/bench/run.sh load     the mock server under load
 #   src/bench/run.sh jmh ...  JMH, with its options
 #   src/bench/run.sh robots [ROBOTS [SILENT [SECONDS]]]  many robots watched by one process
+#   src/bench/run.sh viewers [VIEWERS [SECONDS [ROWS]]]    what the web page's server costs
 #
 # Two more look for defects instead of measuring; they exit with 1 if they find one:
 #
@@ -54,6 +55,7 @@ case ${1:-all} in
   load) "${run[@]}" $ours.MockLoad ;;
   jmh) jmh "${@:2}" ;;
   robots) "${run[@]:0:1}" -Xmx96m -XX:+UseSerialGC "${run[@]:1}" $ours.ManyRobots "${@:2}" ;;
+  viewers) "${run[@]:0:1}" -Xmx96m -XX:+UseSerialGC "${run[@]:1}" $ours.PageViewers "${@:2}" ;;
   soak) "${run[@]}" $ours.Soak "${@:2}" ;;
   mutation) "${run[@]}" $ours.MutationRun "${@:2}" ;;
   all)
@@ -69,7 +71,7 @@ case ${1:-all} in
     uptime
     ;;
   *)
-    echo "usage: $0 [all|ratio|strace|load|jmh|robots|soak|mutation]" >&2
+    echo "usage: $0 [all|ratio|strace|load|jmh|robots|viewers|soak|mutation]" >&2
     exit 64
     ;;
 esac

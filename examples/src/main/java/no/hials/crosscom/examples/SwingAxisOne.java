@@ -14,8 +14,7 @@ import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.Axis;
-import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.KrlPrograms;
 
 /**
  * Swings A1 with its own control law, one command every 20 ms, and shows how a law that is too fast
@@ -34,12 +33,10 @@ public final class SwingAxisOne {
    *
    * @param args {@code HOST PORT} of a controller in which {@code EXT_MOVE_AXIS} and {@code
    *     JOV_SPS} run, or nothing for a simulated controller
-   * @throws IOException if a file could not be read, an access failed, or the loop refused to start
-   * @throws KrlFileException if a file has errors
+   * @throws IOException if an access failed, or the loop refused to start
    * @throws InterruptedException if the wait was interrupted
    */
-  public static void main(String[] args)
-      throws IOException, KrlFileException, InterruptedException {
+  public static void main(String[] args) throws IOException, InterruptedException {
     if (Arguments.nameAController(args)) {
       try (CrossComClient client = new CrossComClient(args[0], Integer.parseInt(args[1]))) {
         run(client, OperatingMode.T1);
@@ -48,13 +45,7 @@ public final class SwingAxisOne {
     }
     try (MockServer robot = MockServer.start();
         CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
-      Controller controller = robot.controller();
-      controller.load(KrlFolder.file("config.dat"));
-      controller.setMode(OperatingMode.AUT);
-      controller.submit().select(controller.load(KrlFolder.file("jov_sps.sub")));
-      controller.submit().start();
-      controller.robot().select(controller.load(KrlFolder.file("ext_move_axis.src")));
-      controller.runProgram();
+      KrlPrograms.start(robot.controller(), KrlPrograms.START, "ext_move_axis");
       run(client, OperatingMode.AUT);
     }
   }

@@ -139,6 +139,7 @@ export function View() {
   return h(
     'div',
     { class: 'variables' },
+    h('h1', { class: 'unseen' }, 'Variables'),
     h(Search, { names: list.names, onAdd: add }),
     h(
       'section',

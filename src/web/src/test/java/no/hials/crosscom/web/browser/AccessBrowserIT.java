@@ -1,0 +1,188 @@
+package no.hials.crosscom.web.browser;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.net.httpserver.HttpServer;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.URI;
+import java.nio.file.Path;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.TestPages;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.openqa.selenium.Keys;
+
+/** Who gets in, hostile values, a lost server, and the page without a mouse. */
+@ExtendWith(WithBrowser.class)
+class AccessBrowserIT {
+  private static final String LIVE =
+      "document.querySelector('.top:not(.stale)') && document.querySelector('main > *')";
+
+  @TempDir private Path folder;
+  private TestPages pages;
+
+  @BeforeEach
+  void start() throws IOException {
+    pages = TestPages.start(folder);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    pages.close();
+  }
+
+  @Test
+  void aLinkWorksInOneBrowserAndOnce(Browser browser) {
+    URI link = URI.create(pages.web().link(Role.VIEW));
+    browser.open(link);
+    browser.await(LIVE);
+    browser.forgetCookies();
+
+    browser.open(link);
+
+    assertThat(browser.text("body")).startsWith("This link is not valid, or was used before.");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"<script>hacked=1</script>", "<img src=x onerror=hacked=1>"})
+  void aValueThatIsMarkupIsShownAsText(String markup, Browser browser) {
+    pages.controller().variables().set("MYSTRING[]", '"' + markup + '"');
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.await(LIVE);
+
+    browser.find("input[type=search]").sendKeys("MYSTRING[]", Keys.ENTER);
+    browser.await("document.querySelector('main').textContent.includes('hacked=1')");
+
+    assertThat(browser.text("main")).contains(markup);
+    assertThat(browser.run("return window.hacked")).isNull();
+    assertThat(browser.run("return document.querySelectorAll('main script, main img').length"))
+        .isEqualTo(0L);
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void thePolicyStopsAScriptThatIsPutIntoThePage(Browser browser) {
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.await(LIVE);
+
+    browser.run("document.body.insertAdjacentHTML('beforeend', '<img src=x onerror=hacked=1>')");
+    browser.run(
+        "document.body.append(Object.assign(document.createElement('script'),"
+            + " { textContent: 'window.hacked = 1' }))");
+
+    assertThat(browser.run("return window.hacked")).isNull();
+    assertThat(browser.errors()).anyMatch(it -> it.contains("Content Security Policy"));
+  }
+
+  @Test
+  void aPageOfAnotherSiteGetsNothingAlthoughTheBrowserSendsItsCookie(Browser browser)
+      throws IOException {
+    browser.open(URI.create(pages.web().link(Role.JOG)));
+    browser.await(LIVE);
+    Object token = browser.run("return document.querySelector('meta[name=socket-token]').content");
+    HttpServer other =
+        HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
+    other.createContext(
+        "/",
+        exchange -> {
+          byte[] page = "<title>another site</title>".getBytes(US_ASCII);
+          exchange.sendResponseHeaders(200, page.length);
+          exchange.getResponseBody().write(page);
+          exchange.close();
+        });
+    other.start();
+    try {
+      browser.open(URI.create("http://127.0.0.1:" + other.getAddress().getPort() + "/"));
+      browser.run(
+          """
+          window.results = [];
+          const add = (name) => () => window.results.push(name);
+          const socket = new WebSocket(`ws://${arguments[0]}/socket?page=${arguments[1]}`);
+          socket.onopen = add('opened');
+          socket.onerror = add('socket refused');
+          fetch(`http://${arguments[0]}/`, { credentials: 'include' })
+            .then(add('read'), add('page refused'));
+          """,
+          "127.0.0.1:" + pages.web().port(),
+          token);
+      browser.await("window.results.length === 2");
+
+      assertThat(browser.run("return window.results.sort().join()"))
+          .isEqualTo("page refused,socket refused");
+    } finally {
+      other.stop(0);
+    }
+  }
+
+  @Test
+  void aLostServerIsShownAtOnceAndTheEndOfTheSessionAfterARestart(Browser browser)
+      throws IOException {
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.await(LIVE);
+    int port = pages.web().port();
+
+    pages.close();
+
+    browser.await("document.querySelector('.banner.lost[role=alert]')");
+    assertThat(browser.text(".banner")).contains("Nothing on this page is up to date");
+    browser.await("document.querySelector('.top.stale')");
+
+    pages =
+        TestPages.start(ServerType.C3_BRIDGE, folder.resolve("restarted"), cfg -> cfg.port(port));
+
+    browser.await("document.querySelector('.banner.ended')");
+    assertThat(browser.text(".banner")).contains("no session any more");
+  }
+
+  @Test
+  void aVariableIsChangedWithoutAMouse(Browser browser) throws Exception {
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.await(LIVE);
+
+    tabTo(browser, ".lock");
+    browser.press(Keys.ENTER);
+    browser.await("document.querySelector('.lock[aria-pressed=true]')");
+    tabTo(browser, "[aria-label=\"Change $OV_PRO\"]");
+    browser.press(Keys.ENTER);
+    browser.await("document.activeElement.value === '100'");
+    browser.press(Keys.BACK_SPACE, Keys.BACK_SPACE, Keys.BACK_SPACE, "30", Keys.ENTER);
+    browser.await("document.querySelector('dialog .new')?.textContent === '30'");
+    browser.press(Keys.ESCAPE);
+    browser.await("!document.querySelector('dialog')");
+
+    assertThat(pages.controller().variables().get("$OV_PRO")).isEqualTo("100");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void theFocusIsVisible(Browser browser) {
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.await(LIVE);
+
+    browser.press(Keys.TAB);
+
+    assertThat(browser.run("return getComputedStyle(document.activeElement).outlineStyle"))
+        .isEqualTo("solid");
+  }
+
+  /** Presses the tabulator until an element has the focus. */
+  private static void tabTo(Browser browser, String selector) {
+    for (int i = 0; i < 200; i++) {
+      browser.press(Keys.TAB);
+      if (Boolean.TRUE.equals(
+          browser.run("return document.activeElement.matches(arguments[0])", selector))) {
+        return;
+      }
+    }
+    throw new AssertionError("no tabulator leads to " + selector);
+  }
+}

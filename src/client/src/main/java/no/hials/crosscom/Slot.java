@@ -6,6 +6,7 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLBool;
 import no.hials.crosscom.KRL.KRLBoolArray;
@@ -43,6 +44,10 @@ record Slot<T>(KRLVariable variable, Supplier<T> getter, Consumer<T> setter) {
           KrlValue.class,
               type(KRLAny::new, KRLAny::getValue, (any, value) -> any.getStringValue()));
 
+  /** The names of those types in alphabetical order, for messages. */
+  private static final String KNOWN_TYPES =
+      TYPES.keySet().stream().map(Class::getSimpleName).sorted().collect(Collectors.joining(", "));
+
   private static <V extends KRLVariable, T> Function<String, Slot<?>> type(
       Function<String, V> constructor, Function<V, @Nullable T> getter, BiConsumer<V, T> setter) {
     return name -> {
@@ -70,7 +75,11 @@ record Slot<T>(KRLVariable variable, Supplier<T> getter, Consumer<T> setter) {
         known = recordOf(type.asSubclass(Record.class));
       } else {
         throw new IllegalArgumentException(
-            name + ": " + type.getTypeName() + " maps to no KRL type");
+            name
+                + ": the Java type must be one of "
+                + KNOWN_TYPES
+                + ", an enum or a record, is "
+                + type.getTypeName());
       }
     }
     return (Slot<T>) known.apply(name);

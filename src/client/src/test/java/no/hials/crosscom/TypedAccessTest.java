@@ -268,7 +268,9 @@ class TypedAccessTest extends RobotTest {
   void aTypeThatMapsToNoneIsRefusedBeforeAnythingIsSent() {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> client.read("MYINT", Long.class))
-        .withMessage("MYINT: java.lang.Long maps to no KRL type");
+        .withMessage(
+            "MYINT: the Java type must be one of Boolean, Character, Double, Integer, KrlValue,"
+                + " String, boolean[], double[], int[], an enum or a record, is java.lang.Long");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> client.read("MYINT", Unmapped.class))
         .withMessageContaining("component names of");

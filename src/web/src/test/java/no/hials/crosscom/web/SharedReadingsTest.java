@@ -7,7 +7,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.Test;
@@ -132,6 +134,28 @@ class SharedReadingsTest {
       JsonNode values = socket.awaitSamples("list").path("values");
       assertThat(values.path("$POS_ACT.X").has("value")).isTrue();
       assertThat(values.path("$POS_ACT.NO_FIELD").path("error").asText()).isNotEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void theHeaderStaysCompleteWhileAViewerReadsOneOfItsVariablesFaster(ServerType type)
+      throws Exception {
+    try (TestPages pages = start(type);
+        TestSocket page = pages.open(Role.VIEW);
+        TestSocket chart = pages.open(Role.VIEW)) {
+      page.await(it -> it.path("mode").asText().equals("#T1"));
+      watch(chart, "['$OV_PRO']");
+      chart.awaitSamples("list");
+
+      Set<JsonNode> times = new HashSet<>();
+      while (times.size() < 8) { // readings of both periods
+        JsonNode header = page.awaitEvent("header");
+        assertThat(header.path("mode").asText()).isEqualTo("#T1");
+        assertThat(header.path("stop").asText()).isEqualTo("FALSE");
+        assertThat(header.path("override").asText()).isEqualTo("100");
+        times.add(header.path("time"));
+      }
     }
   }
 }

@@ -3,6 +3,7 @@ package no.hials.crosscom.web.internal.robot;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -41,6 +42,13 @@ final class Header {
   private final Set<Viewer> hidden = new HashSet<>();
   private Hub.@Nullable Subscription subscription;
   private @Nullable Readings last;
+
+  /**
+   * The last result of each variable. A reading may have some of them only, since others are read
+   * at another period if a viewer needs them more often.
+   */
+  private final Map<String, ReadOutcome> values = new HashMap<>();
+
   private String connection = "connecting";
   private String reason = "";
 
@@ -94,6 +102,7 @@ final class Header {
         setLost(readings.values().values().iterator().next().error());
       } else {
         last = readings;
+        values.putAll(readings.values());
         connection = "connected";
         reason = "";
       }
@@ -144,7 +153,7 @@ final class Header {
     if (readings != null) {
       event.put("time", Readings.millis(readings.time()));
       event.put("access_ms", Readings.millis(readings.access()));
-      readings.values().forEach((name, reading) -> put(event, FIELDS.get(name), reading));
+      values.forEach((name, reading) -> put(event, FIELDS.get(name), reading));
     }
     event.set("lock", robot.lock().json());
     return event;

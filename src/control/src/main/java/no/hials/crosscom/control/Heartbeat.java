@@ -151,9 +151,7 @@ final class Heartbeat {
       throw new ControlRefusedException(
           new StopReason(
               StopKind.WATCHDOG,
-              "the watchdog of krl/config.dat is not on this controller (noWatchdog() works without"
-                  + " it): "
-                  + e.getMessage(),
+              "the watchdog of krl/config.dat is not on this controller: " + e.getMessage(),
               e));
     }
     channel.write(beat);
@@ -173,6 +171,9 @@ final class Heartbeat {
       }
       pause();
     }
+    // without a limit it sees the beats as well
+    channel.read(limit);
+    checkLimit();
     next = time.nanoTime();
     return limitBefore > 0;
   }

@@ -321,6 +321,33 @@ class StoppingTest extends ControlTest {
   }
 
   @Test
+  void aWatchdogThatSeesTheHeartbeatWithoutALimitIsRefused() throws Exception {
+    run("ext_move_axis.src");
+    controller.submit().stop();
+    controller
+        .submit()
+        .select(
+            controller.load(
+                "off.sub",
+                """
+                DEF OFF ( )
+                  LOOP
+                    JOV_LIMIT=0
+                    JOV_SEEN=JOV_HEARTBEAT
+                  ENDLOOP
+                END
+                """));
+    controller.submit().start();
+
+    assertThatExceptionOfType(ControlRefusedException.class)
+        .isThrownBy(() -> start(config(cfg -> {}), Law.jointVelocity(s -> TURNING)))
+        .withMessage(
+            "JOV_LIMIT must be 500 as set by this loop, is 0; another client uses the watchdog");
+
+    assertThat(writesTo("MYAXIS")).isEmpty();
+  }
+
+  @Test
   void aWatchdogThatAnotherClientSwitchesOffStopsTheRobot() throws Exception {
     StopReason reason =
         runToStop(

@@ -24,9 +24,11 @@ import no.hials.crosscom.cli.base.Terminal;
 import no.hials.crosscom.cli.base.WriteOptions;
 import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.ControlRefusedException;
+import no.hials.crosscom.control.DriveSpace;
 import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.Safety;
+import no.hials.crosscom.control.State;
 import no.hials.crosscom.control.StopReason;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.mock.MockServer;
@@ -181,7 +183,8 @@ public final class DriveCommand extends ControllerCommand {
   @Override
   public ExitCode run() throws IOException {
     DriveSpace space = space();
-    double fullSpeed = checked("--speed", speed, space.usualSpeed, space.maxSpeed, space.unit);
+    double fullSpeed =
+        checked("--speed", speed, space.usualSpeed(), space.maxSpeed(), space.unit());
     double fullTurn = turn(space);
     checkTimes();
     DriveDevice.Choice choice =
@@ -191,13 +194,13 @@ public final class DriveCommand extends ControllerCommand {
       LocalFiles.checkNew(record, writeOptions.isYes());
     }
     Robot target = target();
-    String what = "drive the robot by " + space.variable;
+    String what = "drive the robot by " + space.variable();
     writeOptions.permission(console()).checkAllowed(target, what);
     try (StopSignal stop = new StopSignal();
         RobotConnection controller = Robots.open(target, cfg -> cfg.reconnect(false))) {
       MockServer simulation = Robots.simulation(controller);
       if (simulation != null) {
-        KrlPrograms.start(simulation.controller(), KrlPrograms.START, space.program);
+        KrlPrograms.start(simulation.controller(), KrlPrograms.START, space.program());
       }
       // before the question, so that a change since then is not allowed
       OperatingMode mode = mode(controller);
@@ -267,7 +270,7 @@ public final class DriveCommand extends ControllerCommand {
     if (turn != null && space == DriveSpace.JOINTS) {
       throw wrongUsage("--turn goes with base and tool; the speed of joints is --speed");
     }
-    return checked("--turn", turn, DriveSpace.JOINTS.usualSpeed, MAX_TURN, "deg/s");
+    return checked("--turn", turn, DriveSpace.JOINTS.usualSpeed(), MAX_TURN, "deg/s");
   }
 
   private double zone(DriveDevice.Choice choice) {
@@ -337,7 +340,7 @@ public final class DriveCommand extends ControllerCommand {
     Logging.leaveOut(ControlLoop.class, isVerbose());
     console().hint(opened.greeting());
     try (ControlLoop loop =
-        ControlLoop.start(controller.client(), config, space.law(full, fullTurn))) {
+        ControlLoop.start(controller.client(), config, space.law(State::input, full, fullTurn))) {
       StopReason reason;
       try (LiveLine line =
           new LiveLine(console().err(), !isVerbose() && Terminal.showsProgress())) {
@@ -396,9 +399,9 @@ public final class DriveCommand extends ControllerCommand {
     return String.format(
         Locale.ROOT,
         "%s | %s | %s | %.1f ms, missed %d",
-        space.shown(last.get().actual()),
+        DriveText.shown(space, last.get().actual()),
         moving ? "moving" : "standing",
-        moving ? space.shown(opened.latest()) : "none",
+        moving ? DriveText.shown(space, opened.latest()) : "none",
         numbers.period().mean(),
         numbers.missed());
   }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.control.DriveSpace;
 import no.hials.crosscom.control.StopReason;
 
 /** The end of a control loop for the user: the exit code and the remedies. */
@@ -52,17 +53,18 @@ final class DriveEnd {
    * @param selected the name of the program that is selected on the controller; empty if unknown
    */
   static List<String> hints(StopReason reason, DriveSpace space, String selected) {
-    String program = space.program.toUpperCase(java.util.Locale.ROOT);
+    String program = space.program().toUpperCase(java.util.Locale.ROOT);
     List<String> hints = new ArrayList<>();
     switch (reason.kind()) {
       case PROGRAM, STALLED_FEEDBACK -> {
-        hints.add("the robot moves only if a program on the controller follows " + space.variable);
+        hints.add(
+            "the robot moves only if a program on the controller follows " + space.variable());
         hints.add(
             selected(selected)
                 + "; select and start "
                 + program
                 + " (krl/"
-                + space.program
+                + space.program()
                 + ".src), and switch the drives on");
       }
       case WATCHDOG -> {
@@ -73,8 +75,8 @@ final class DriveEnd {
       }
       case STALE_FEEDBACK ->
           hints.add(
-              "--max-delay allows older positions; --no-clock does not compare them with the clock of"
-                  + " the controller");
+              "--max-delay allows older positions; --no-clock does not compare them with the clock"
+                  + " of the controller");
       case OTHER_DRIVER ->
           hints.add(
               "two drivers would move one robot: end the other one; --takeover stops it, if it is a"
@@ -84,11 +86,11 @@ final class DriveEnd {
         if (cause(reason) instanceof CrossComAccessException) {
           hints.add(
               "the controller must have the variable "
-                  + space.variable
+                  + space.variable()
                   + " (krl/config.dat), and "
                   + program
                   + " (krl/"
-                  + space.program
+                  + space.program()
                   + ".src) must follow it");
         }
       }

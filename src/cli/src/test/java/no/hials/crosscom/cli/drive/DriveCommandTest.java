@@ -24,9 +24,8 @@ import java.util.regex.Pattern;
 import no.hials.crosscom.cli.Main;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.ExitCode;
+import no.hials.crosscom.control.DriveSpace;
 import no.hials.crosscom.control.StopReason;
-import no.hials.crosscom.control.Twist;
-import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.simulator.KrlPrograms;
 import org.junit.jupiter.api.Test;
@@ -206,7 +205,7 @@ class DriveCommandTest {
 
   private static MockServer robot(DriveSpace space) throws IOException {
     MockServer server = MockServer.start(cfg -> {});
-    KrlPrograms.start(server.controller(), KrlPrograms.START, space.program);
+    KrlPrograms.start(server.controller(), KrlPrograms.START, space.program());
     return server;
   }
 
@@ -419,17 +418,6 @@ class DriveCommandTest {
       })
   void saysWhatIsWrong(String options, String message) {
     Cli.run(("drive --mock " + options).split(" ")).fails(2).contains(message);
-  }
-
-  @Test
-  void severalDeflectionsAtOnceAreNoFasterThanOne() {
-    Input all = new Input(List.of(1.0, -1.0, 1.0, 1.0, 1.0, 1.0), List.of(), true, 0);
-    Input half = new Input(List.of(0.5, 0.0, 0.0, 0.0, 0.0, -0.5), List.of(), true, 0);
-
-    Twist twist = DriveSpace.twist(all, 30, 6);
-    assertThat(twist.speed()).isCloseTo(30, within(1e-9));
-    assertThat(twist.rotationSpeed()).isCloseTo(6, within(1e-9));
-    assertThat(DriveSpace.twist(half, 30, 6)).isEqualTo(new Twist(15, 0, 0, -3, 0, 0));
   }
 
   @ParameterizedTest

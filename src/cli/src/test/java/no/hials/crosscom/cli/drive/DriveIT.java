@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.PseudoTerminal;
+import no.hials.crosscom.control.DriveSpace;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -52,7 +53,7 @@ class DriveIT {
 
   private static MockServer robot() throws IOException {
     MockServer server = MockServer.start(cfg -> {});
-    KrlPrograms.start(server.controller(), KrlPrograms.START, DriveSpace.JOINTS.program);
+    KrlPrograms.start(server.controller(), KrlPrograms.START, DriveSpace.JOINTS.program());
     return server;
   }
 

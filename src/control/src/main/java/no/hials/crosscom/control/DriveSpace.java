@@ -1,19 +1,15 @@
-package no.hials.crosscom.cli.drive;
+package no.hials.crosscom.control;
 
 import static no.hials.crosscom.kinematics.Frames.product;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import no.hials.crosscom.control.Law;
-import no.hials.crosscom.control.State;
-import no.hials.crosscom.control.Twist;
+import java.util.function.Function;
 import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 
 /** The coordinates that an input device moves, and the KRL program that follows. */
-enum DriveSpace {
+public enum DriveSpace {
   /** Along and about the axes of {@code $BASE}. */
   BASE("actuator", "MYPOS", "mm/s", 25, 250, "X", "Y", "Z", "A", "B", "C"),
   /** Along and about the current axes of the tool. */
@@ -21,18 +17,14 @@ enum DriveSpace {
   /** Each axis of the robot. */
   JOINTS("ext_move_axis", "MYAXIS", "deg/s", 5, 60, "A1", "A2", "A3", "A4", "A5", "A6");
 
-  /** The KRL program, as its file is called. */
-  final String program;
-
-  /** The variable that it follows. */
-  final String variable;
-
-  final String unit;
-  final double usualSpeed;
-  final double maxSpeed;
+  private final String program;
+  private final String variable;
+  private final String unit;
+  private final double usualSpeed;
+  private final double maxSpeed;
 
   @SuppressWarnings("ImmutableEnumChecker") // it is a List.of
-  final List<String> names;
+  private final List<String> names;
 
   DriveSpace(
       String program,
@@ -49,17 +41,50 @@ enum DriveSpace {
     this.names = List.of(names);
   }
 
+  /** Returns the KRL program that follows, as its file in {@code krl} is called. */
+  public String program() {
+    return program;
+  }
+
+  /** Returns the variable that the program follows. */
+  public String variable() {
+    return variable;
+  }
+
+  /** Returns the unit of the speeds: mm/s, or deg/s for the axes. */
+  public String unit() {
+    return unit;
+  }
+
+  /** Returns a low speed for the start. */
+  public double usualSpeed() {
+    return usualSpeed;
+  }
+
+  /** Returns the highest speed that a person should ask for. */
+  public double maxSpeed() {
+    return maxSpeed;
+  }
+
+  /** Returns the names of the six directions. */
+  public List<String> names() {
+    return names;
+  }
+
   /**
    * Creates the law that follows an input device.
    *
+   * @param input returns the deflections for the state of the robot; {@code State::input} for those
+   *     of the device
    * @param speed the speed at full deflection, in {@link #unit}
    * @param turn the speed of a rotation of the tool at full deflection, degrees/s
    */
-  Law law(double speed, double turn) {
+  public Law law(Function<State, Input> input, double speed, double turn) {
     return switch (this) {
-      case BASE -> Law.cartesianVelocity(state -> twist(state.input(), speed, turn));
-      case TOOL -> Law.cartesianVelocity(state -> inBase(state, twist(state.input(), speed, turn)));
-      case JOINTS -> Law.jointVelocity(state -> axes(state.input(), speed));
+      case BASE -> Law.cartesianVelocity(state -> twist(input.apply(state), speed, turn));
+      case TOOL ->
+          Law.cartesianVelocity(state -> inBase(state, twist(input.apply(state), speed, turn)));
+      case JOINTS -> Law.jointVelocity(state -> axes(input.apply(state), speed));
     };
   }
 
@@ -92,31 +117,11 @@ enum DriveSpace {
     return new Twist(way.x(), way.y(), way.z(), turn.x(), turn.y(), turn.z());
   }
 
-  static Axis axes(Input input, double speed) {
+  private static Axis axes(Input input, double speed) {
     double[] axes = new double[6];
     for (int i = 0; i < axes.length; i++) {
       axes[i] = speed * input.axis(i);
     }
     return Axis.of(axes);
-  }
-
-  /** Shows six numbers with their names. */
-  String shown(List<Double> six) {
-    List<String> parts = new ArrayList<>();
-    for (int i = 0; i < six.size(); i++) {
-      parts.add(String.format(Locale.ROOT, "%s %.1f", names.get(i), six.get(i)));
-    }
-    return String.join(" ", parts);
-  }
-
-  /** Shows which deflections are not 0. */
-  String shown(Input input) {
-    List<String> parts = new ArrayList<>();
-    for (int i = 0; i < names.size(); i++) {
-      if (input.axis(i) != 0) {
-        parts.add(String.format(Locale.ROOT, "%s %+.0f%%", names.get(i), 100 * input.axis(i)));
-      }
-    }
-    return parts.isEmpty() ? "none" : String.join(" ", parts);
   }
 }

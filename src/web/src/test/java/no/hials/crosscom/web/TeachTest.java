@@ -85,20 +85,7 @@ class TeachTest {
   void startingAProgramEndsFaultsAndTheEmergencyStop() throws Exception {
     unlock();
     set("teach-stop", "pressed", "true");
-    JsonNode late =
-        socket.call(
-            "teach-faults",
-            "robot",
-            "'mock'",
-            "latency_ms",
-            "200",
-            "lost_percent",
-            "10",
-            "silent",
-            "false",
-            "confirmed",
-            "true");
-    assertThat(late.has("ok")).isTrue();
+    setFaults("200", "10", "false");
     assertThat(bench().path("latency_ms").asInt()).isEqualTo(200);
     assertThat(bench().path("lost_percent").asInt()).isEqualTo(10);
 
@@ -110,31 +97,40 @@ class TeachTest {
     assertThat(pages.controller().variables().get("$PRO_NAME1[]")).isEqualTo("\"EXT_MOVE_AXIS\"");
   }
 
+  private void setFaults(String latency, String lost, String silent) throws InterruptedException {
+    JsonNode answer =
+        socket.call(
+            "teach-faults",
+            "robot",
+            "'mock'",
+            "latency_ms",
+            latency,
+            "lost_percent",
+            lost,
+            "silent",
+            silent,
+            "confirmed",
+            "true");
+    assertThat(answer.has("ok")).as("%s", answer).isTrue();
+  }
+
+  private void awaitConnection(String state) throws InterruptedException {
+    socket.await(
+        it ->
+            it.path("event").asText().equals("header")
+                && it.path("connection").asText().equals(state));
+  }
+
   @Test
-  void aSilentServerMakesTheHeaderLoseItsConnection() throws Exception {
+  void theHeaderLosesTheConnectionToASilentServerUntilItAnswersAgain() throws Exception {
     unlock();
-    socket.await(
-        it ->
-            it.path("event").asText().equals("header")
-                && it.path("connection").asText().equals("connected"));
+    awaitConnection("connected");
 
-    socket.call(
-        "teach-faults",
-        "robot",
-        "'mock'",
-        "latency_ms",
-        "0",
-        "lost_percent",
-        "0",
-        "silent",
-        "true",
-        "confirmed",
-        "true");
+    setFaults("0", "0", "true");
+    awaitConnection("lost");
 
-    socket.await(
-        it ->
-            it.path("event").asText().equals("header")
-                && it.path("connection").asText().equals("lost"));
+    setFaults("0", "0", "false"); // needs no answer of the robot's server
+    awaitConnection("connected");
   }
 
   @Test

@@ -15,42 +15,30 @@ import org.jspecify.annotations.Nullable;
 public final class Lock {
   private final RobotConnection connection;
   private final boolean readOnly;
+  private final WritePermission permission;
   private volatile @Nullable String openedBy;
 
   Lock(RobotConnection connection, boolean readOnly) {
     this.connection = connection;
     this.readOnly = readOnly;
+    permission = new WritePermission(true, readOnly, new NoQuestions()); // the page has asked
   }
 
   /**
    * Checks that a change is allowed: the robot is unlocked, and the person has confirmed the change
-   * ({@code "confirmed": true} in the message).
+   * ({@code "confirmed": true} in the message). Needs no connection.
    *
    * @param what the operation, such as {@code write $OV_PRO}
    * @throws IOException if it is not allowed
    */
   public void check(Call call, String what) throws IOException {
-    boolean confirmed = call.flag("confirmed");
-    WritePermission permission =
-        new WritePermission(
-            false,
-            readOnly,
-            new WritePermission.Confirmation() {
-              @Override
-              public boolean isInteractive() {
-                return true;
-              }
-
-              @Override
-              public boolean confirm(String question) {
-                return confirmed;
-              }
-            });
     permission.checkAllowed(connection.robot(), what);
     if (openedBy == null) {
       throw new CommandException("did not " + what + ": the robot is locked");
     }
-    permission.checkEach(connection, what);
+    if (!call.flag("confirmed")) {
+      throw new CommandException("did not " + what + ": not confirmed");
+    }
   }
 
   /**
@@ -60,8 +48,7 @@ public final class Lock {
    * @throws IOException if the robot is read-only
    */
   void open(String who) throws IOException {
-    new WritePermission(true, readOnly, new NoQuestions())
-        .checkAllowed(connection.robot(), "unlock the robot");
+    permission.checkAllowed(connection.robot(), "unlock the robot");
     openedBy = who;
   }
 

@@ -1,13 +1,7 @@
 package no.hials.crosscom.cli.variables;
 
 import java.io.IOException;
-import java.io.OutputStream;
-import java.nio.channels.FileChannel;
-import java.nio.channels.OverlappingFileLockException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Instant;
 import java.util.Locale;
 import java.util.stream.Collectors;
@@ -16,8 +10,8 @@ import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.cell.CsvRecording;
 import no.hials.crosscom.cell.JsonRecording;
-import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.Recording;
+import no.hials.crosscom.cell.RecordingFile;
 import no.hials.crosscom.cell.SampledRobot;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cell.TimeText;
@@ -151,7 +145,7 @@ public final class RecordCommand extends SamplingCommand {
 
   private Recording open(boolean jsonLines, Sampling sampling) {
     Recording.RecordingOutput sink =
-        out.equals(STDOUT) ? new StdoutSink(console()) : FileSink.open(out, yes);
+        out.equals(STDOUT) ? new StdoutSink(console()) : RecordingFile.open(Path.of(out), out, yes);
     return jsonLines ? new JsonRecording(sink) : new CsvRecording(sink, sampling.robots(), raw);
   }
 
@@ -213,68 +207,6 @@ public final class RecordCommand extends SamplingCommand {
     @Override
     public void close() {
       // stdout is not ours
-    }
-  }
-
-  /**
-   * Writes to a file without a buffer, so that written data survives the end of this process.
-   *
-   * @param lock keeps other commands from recording to the file; not used for writing, since an
-   *     interrupt would close it
-   */
-  private record FileSink(String name, FileChannel lock, OutputStream file)
-      implements Recording.RecordingOutput {
-    static FileSink open(String name, boolean overwrite) {
-      Path path = Path.of(name);
-      boolean replaces = overwrite || (Files.exists(path) && !Files.isRegularFile(path));
-      try {
-        FileChannel lock =
-            FileChannel.open(
-                path,
-                StandardOpenOption.WRITE,
-                replaces ? StandardOpenOption.CREATE : StandardOpenOption.CREATE_NEW);
-        try {
-          if (Files.isRegularFile(path)) {
-            lock(lock);
-            lock.truncate(0);
-          }
-          return new FileSink(name, lock, Files.newOutputStream(path, StandardOpenOption.WRITE));
-        } catch (IOException e) {
-          lock.close();
-          throw e;
-        }
-      } catch (IOException e) {
-        throw new OutputException(name, e);
-      }
-    }
-
-    private static void lock(FileChannel file) throws IOException {
-      boolean locked;
-      try {
-        // a byte after all data: on Windows, others could not read the locked bytes
-        locked = file.tryLock(Long.MAX_VALUE - 1, 1, false) != null;
-      } catch (OverlappingFileLockException e) {
-        locked = false;
-      }
-      if (!locked) {
-        throw new IOException("another command is recording to it");
-      }
-    }
-
-    @Override
-    public void write(String text) {
-      try {
-        file.write(text.getBytes(StandardCharsets.UTF_8));
-      } catch (IOException e) {
-        throw new OutputException(name, e);
-      }
-    }
-
-    @Override
-    public void close() throws IOException {
-      try (lock) {
-        file.close();
-      }
     }
   }
 }

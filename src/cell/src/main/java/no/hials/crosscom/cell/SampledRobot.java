@@ -26,6 +26,7 @@ public final class SampledRobot implements Closeable {
   private final Robot robot;
   private final Sampling sampling;
   private final RobotConnection controller;
+  private final boolean shared;
   private final Map<String, KrlValue> first = new LinkedHashMap<>();
 
   private @Nullable Watch watch;
@@ -46,8 +47,25 @@ public final class SampledRobot implements Closeable {
       throws IOException {
     this.robot = robot;
     this.sampling = sampling;
-    this.controller =
-        opener.open(robot, cfg -> cfg.listener(event -> sampling.add(listener -> changed(event))));
+    this.controller = opener.open(robot, cfg -> cfg.listener(this::pass));
+    this.shared = false;
+  }
+
+  private SampledRobot(RobotConnection connection, Sampling sampling) {
+    this.robot = connection.robot();
+    this.sampling = sampling;
+    this.controller = connection;
+    this.shared = true;
+  }
+
+  /** Creates a robot that is read through a connection of others. */
+  static SampledRobot through(RobotConnection connection, Sampling sampling) {
+    return new SampledRobot(connection, sampling);
+  }
+
+  /** Passes an event of the connection to the thread of the command. */
+  void pass(ConnectionEvent event) {
+    sampling.add(listener -> changed(event));
   }
 
   /** Returns the name; empty if the robot has no name. */
@@ -255,6 +273,9 @@ public final class SampledRobot implements Closeable {
 
   @Override
   public void close() throws IOException {
-    controller.close();
+    stop();
+    if (!shared) {
+      controller.close();
+    }
   }
 }

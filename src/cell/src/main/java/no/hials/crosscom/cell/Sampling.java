@@ -118,6 +118,21 @@ public final class Sampling implements Closeable {
     }
   }
 
+  /**
+   * Reads through a connection that is open, and stays open after {@link #close}. Its events come
+   * by {@link #connectionChanged}.
+   */
+  public static Sampling through(RobotConnection connection, SamplingPlan plan) {
+    Sampling sampling = new Sampling(plan);
+    sampling.robots.add(SampledRobot.through(connection, sampling));
+    return sampling;
+  }
+
+  /** Passes on an event of the connection of {@link #through}. Can be called by any thread. */
+  public void connectionChanged(ConnectionEvent event) {
+    robots.forEach(robot -> robot.pass(event));
+  }
+
   private void connect(Robot robot, RobotConnection.Opener opener) throws IOException {
     try {
       robots.add(new SampledRobot(robot, opener, this));

@@ -10,6 +10,7 @@ import no.hials.crosscom.web.internal.http.PageHandler;
 import no.hials.crosscom.web.internal.http.Tokens;
 import no.hials.crosscom.web.internal.model.ModelCommands;
 import no.hials.crosscom.web.internal.model.ShapeFiles;
+import no.hials.crosscom.web.internal.recordings.RecordingCommands;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Sockets;
@@ -101,6 +102,10 @@ public final class WebServer implements AutoCloseable {
     pages.add("/shapes/", shapes);
     new ModelCommands(robots, shapes).addTo(commands);
     new TeachCommands(robots, audit).addTo(commands);
+    RecordingCommands recordings = new RecordingCommands(config.folder(), robots, audit, sockets);
+    parts.add(recordings);
+    pages.add("/recordings/", recordings.files());
+    recordings.addTo(commands);
     server.start();
   }
 

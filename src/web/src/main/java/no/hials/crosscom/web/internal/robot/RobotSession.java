@@ -1,12 +1,15 @@
 package no.hials.crosscom.web.internal.robot;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.Server;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import org.jspecify.annotations.Nullable;
@@ -28,6 +31,7 @@ public final class RobotSession implements AutoCloseable {
   private final Hub hub;
   private final Lock lock;
   private final Header header;
+  private final List<Sampling> samplings = new CopyOnWriteArrayList<>();
   private volatile @Nullable Server server;
 
   /** Receives events from the first attempt to connect on, before the session exists. */
@@ -36,7 +40,7 @@ public final class RobotSession implements AutoCloseable {
 
     synchronized void changed(ConnectionEvent event) {
       if (session != null) {
-        session.header.connectionChanged(event);
+        session.connectionChanged(event);
       }
     }
 
@@ -76,6 +80,27 @@ public final class RobotSession implements AutoCloseable {
   /** Returns the client; all of the page uses this one. */
   public CrossComClient client() {
     return connection.client();
+  }
+
+  private void connectionChanged(ConnectionEvent event) {
+    header.connectionChanged(event);
+    samplings.forEach(sampling -> sampling.connectionChanged(event));
+  }
+
+  /**
+   * Samples variables through the connection, apart from what viewers watch, until {@link
+   * #endSampling}.
+   */
+  public Sampling sample(Sampling.SamplingPlan plan) {
+    Sampling sampling = Sampling.through(connection, plan);
+    samplings.add(sampling);
+    return sampling;
+  }
+
+  /** Ends what {@link #sample} began; the connection stays open. */
+  public void endSampling(Sampling sampling) throws IOException {
+    samplings.remove(sampling);
+    sampling.close();
   }
 
   /** Returns the readings of all viewers. */

@@ -40,7 +40,12 @@ public final class Json {
     return object().put("event", name);
   }
 
-  static JsonNode parse(String text) throws JsonProcessingException {
+  /**
+   * Parses a text.
+   *
+   * @throws JsonProcessingException if it is not JSON, or exceeds a limit
+   */
+  public static JsonNode parse(String text) throws JsonProcessingException {
     return MAPPER.readTree(text);
   }
 }

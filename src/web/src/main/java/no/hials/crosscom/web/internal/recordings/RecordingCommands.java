@@ -1,0 +1,189 @@
+package no.hials.crosscom.web.internal.recordings;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import no.hials.crosscom.cell.Sampling;
+import no.hials.crosscom.cell.Units;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.http.Route;
+import no.hials.crosscom.web.internal.robot.Hub;
+import no.hials.crosscom.web.internal.robot.RobotSession;
+import no.hials.crosscom.web.internal.robot.RobotSessions;
+import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.CommandException;
+import no.hials.crosscom.web.internal.socket.Commands;
+import no.hials.crosscom.web.internal.socket.Json;
+import no.hials.crosscom.web.internal.socket.Sockets;
+
+/** Starts, stops, lists and deletes recordings, and returns the units of what charts show. */
+public final class RecordingCommands implements AutoCloseable {
+  private static final int MOST_RUNNING = 4;
+  private static final int MOST_NAMES = 100;
+  private static final int MOST_UNITS = 1000;
+  private static final int LEAST_PERIOD = 10;
+  private static final int MOST_PERIOD = 60_000;
+  private static final DateTimeFormatter NOW =
+      DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
+
+  private final RobotSessions robots;
+  private final AuditLog audit;
+  private final Sockets sockets;
+  private final RecordingFiles files;
+  private final Units units = new Units();
+
+  /** The recordings that are being written, by their files; guarded by this. */
+  private final Map<String, RecordingInProgress> running = new LinkedHashMap<>();
+
+  public RecordingCommands(Path folder, RobotSessions robots, AuditLog audit, Sockets sockets) {
+    this.robots = robots;
+    this.audit = audit;
+    this.sockets = sockets;
+    files = new RecordingFiles(folder);
+  }
+
+  /** Returns the route for downloads. */
+  public Route files() {
+    return files;
+  }
+
+  /** Adds the commands. */
+  public void addTo(Commands commands) {
+    commands.add("recordings", Role.VIEW, (call, answer) -> list(answer));
+    commands.add("record-start", Role.OPERATE, this::start);
+    commands.add("record-stop", Role.OPERATE, this::stop);
+    commands.add("recording-delete", Role.OPERATE, this::delete);
+    commands.addQuick("units", Role.VIEW, this::units);
+  }
+
+  private void list(ObjectNode answer) throws IOException {
+    ArrayNode list = answer.putArray("recordings");
+    for (RecordingFiles.RecordingEntry file : files.list()) {
+      list.addObject()
+          .put("file", file.name())
+          .put("bytes", file.bytes())
+          .put("modified", file.modified().toEpochMilli());
+    }
+    ArrayNode now = answer.putArray("running");
+    running().forEach(recording -> now.add(recording.json()));
+  }
+
+  private synchronized List<RecordingInProgress> running() {
+    return List.copyOf(running.values());
+  }
+
+  private void start(Call call, ObjectNode answer) throws IOException {
+    RobotSession robot = robots.of(call);
+    List<String> names = call.texts("names", MOST_NAMES).stream().map(Hub::key).distinct().toList();
+    if (names.isEmpty() || names.contains("")) {
+      throw new CommandException("names must have at least one name, and none that is blank");
+    }
+    Duration period = Duration.ofMillis((long) call.number("period", LEAST_PERIOD, MOST_PERIOD));
+    String format = call.text("format");
+    if (!format.equals("csv") && !format.equals("jsonl")) {
+      throw new CommandException("format must be csv or jsonl");
+    }
+    boolean jsonLines = format.equals("jsonl");
+    String name = call.optionalText("name").orElseGet(() -> defaultName(robot));
+    RecordingInProgress started;
+    synchronized (this) {
+      if (running.size() >= MOST_RUNNING) {
+        throw new CommandException(
+            "there are " + MOST_RUNNING + " recordings already: stop one first");
+      }
+      Path file = files.newFile(name, jsonLines);
+      Sampling.SamplingPlan plan = new Sampling.SamplingPlan(names, period, null, Long.MAX_VALUE);
+      started = RecordingInProgress.start(robot, plan, file, jsonLines, this::changed);
+      running.put(started.file(), started);
+    }
+    if (started.isEnded()) {
+      changed(started); // before it was in the map
+    }
+    log(call, robot.name(), "record", started.file());
+    answer.put("file", started.file());
+    tellAll();
+  }
+
+  private static String defaultName(RobotSession robot) {
+    String name = robot.name().replaceAll("[^A-Za-z0-9_-]", "-").replaceAll("^[_-]+", "");
+    String start = name.substring(0, Math.min(name.length(), 40));
+    return (start.isEmpty() ? "robot" : start)
+        + "-"
+        + NOW.format(LocalDateTime.now(ZoneId.systemDefault()));
+  }
+
+  private void log(Call call, String robot, String what, String file) {
+    audit.add(new AuditLog.Entry(call.viewer().name(), robot, what, file, "", "", "done"));
+  }
+
+  private void stop(Call call, ObjectNode answer) throws IOException {
+    String file = call.text("file");
+    RecordingInProgress recording;
+    synchronized (this) {
+      recording = running.get(file);
+    }
+    if (recording == null) {
+      throw new CommandException("there is no such recording that runs");
+    }
+    recording.stop();
+    ObjectNode state = recording.json();
+    log(call, state.path("robot").asText(), "record stop", file);
+    answer.setAll(state);
+  }
+
+  private void delete(Call call, ObjectNode answer) throws IOException {
+    String name = call.text("file");
+    synchronized (this) {
+      if (running.containsKey(name)) {
+        throw new CommandException("stop " + name + " first");
+      }
+      Files.delete(files.file(name));
+    }
+    log(call, "", "delete recording", name);
+    tellAll();
+  }
+
+  private void units(Call call, ObjectNode answer) throws IOException {
+    ObjectNode all = answer.putObject("units");
+    for (String name : call.texts("names", MOST_UNITS)) {
+      all.put(name, units.of(name));
+    }
+  }
+
+  /** Tells pages the state of a recording, and forgets it after its end. */
+  private void changed(RecordingInProgress recording) {
+    boolean ended = recording.isEnded();
+    if (ended) {
+      synchronized (this) {
+        running.remove(recording.file());
+      }
+    }
+    ObjectNode event = Json.event("recording");
+    event.setAll(recording.json());
+    sockets.broadcast("recording/" + recording.file(), event);
+    if (ended) {
+      tellAll();
+    }
+  }
+
+  private void tellAll() {
+    sockets.broadcast("recordings", Json.event("recordings"));
+  }
+
+  /** Ends all recordings; their files stay. */
+  @Override
+  public void close() {
+    running().forEach(RecordingInProgress::stop);
+  }
+}

@@ -1,0 +1,175 @@
+package no.hials.crosscom.web.internal.recordings;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import no.hials.crosscom.web.internal.http.BrowserSession;
+import no.hials.crosscom.web.internal.http.PageHandler;
+import no.hials.crosscom.web.internal.http.Route;
+import no.hials.crosscom.web.internal.socket.CommandException;
+import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpMethod;
+import org.eclipse.jetty.http.HttpStatus;
+import org.eclipse.jetty.io.Content;
+import org.eclipse.jetty.server.Request;
+import org.eclipse.jetty.server.Response;
+import org.eclipse.jetty.util.Callback;
+
+/**
+ * The files in the folder {@code recordings}. Every role may download them: {@code NAME.csv} as it
+ * is, {@code NAME.csv/columns} as numbers, see {@link ReplayColumns}.
+ */
+final class RecordingFiles implements Route {
+  static final int MOST_FILES = 500;
+
+  /** A larger one can be downloaded; as numbers it would fill the memory of a browser. */
+  static final long MOST_BYTES_TO_REPLAY = 32L * 1024 * 1024;
+
+  static final String CSV = ".csv";
+  static final String JSON_LINES = ".jsonl";
+
+  private static final String COLUMNS = "/columns";
+  private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,59}");
+
+  /** Windows opens devices by these names, in any folder and with any ending. */
+  private static final Pattern DEVICE =
+      Pattern.compile("CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9]", Pattern.CASE_INSENSITIVE);
+
+  private final Path folder;
+
+  RecordingFiles(Path folder) {
+    this.folder = folder.resolve("recordings");
+  }
+
+  /**
+   * A file.
+   *
+   * @param name its name with the ending
+   * @param bytes its size
+   * @param modified when it was last written
+   */
+  record RecordingEntry(String name, long bytes, Instant modified) {}
+
+  /**
+   * Returns the file of a new recording.
+   *
+   * @param name its name without the ending
+   * @throws CommandException if the name is not allowed, or in use
+   */
+  Path newFile(String name, boolean jsonLines) throws IOException {
+    if (!isAllowed(name)) {
+      throw new CommandException(
+          "the name of a recording must have 1 to 60 letters of A to Z, digits, - and _, begin with"
+              + " a letter or digit, and be no name of a device");
+    }
+    if (list().size() >= MOST_FILES) {
+      throw new CommandException("there are " + MOST_FILES + " recordings: delete one first");
+    }
+    Files.createDirectories(folder);
+    Path file = folder.resolve(name + (jsonLines ? JSON_LINES : CSV));
+    if (Files.exists(file)) {
+      throw new CommandException("there is already a recording " + file.getFileName());
+    }
+    return file;
+  }
+
+  private static boolean isAllowed(String name) {
+    return NAME.matcher(name).matches() && !DEVICE.matcher(name).matches();
+  }
+
+  /**
+   * Returns a file that exists.
+   *
+   * @param name its name with the ending
+   */
+  Path file(String name) throws CommandException {
+    // checked before it becomes a path, so that none leads out of the folder
+    int dot = name.lastIndexOf('.');
+    String ending = dot < 0 ? "" : name.substring(dot);
+    if ((ending.equals(CSV) || ending.equals(JSON_LINES)) && isAllowed(name.substring(0, dot))) {
+      Path file = folder.resolve(name);
+      if (Files.isRegularFile(file)) {
+        return file;
+      }
+    }
+    throw new CommandException("there is no such recording");
+  }
+
+  /** Returns the files, the newest first. */
+  List<RecordingEntry> list() throws IOException {
+    List<RecordingEntry> all = new ArrayList<>();
+    if (Files.isDirectory(folder)) {
+      try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*.{csv,jsonl}")) {
+        for (Path file : files) {
+          String name = file.getFileName().toString();
+          if (isAllowed(name.substring(0, name.lastIndexOf('.'))) && Files.isRegularFile(file)) {
+            Instant modified = Files.getLastModifiedTime(file).toInstant();
+            all.add(new RecordingEntry(name, Files.size(file), modified));
+          }
+        }
+      }
+    }
+    all.sort(Comparator.comparing(RecordingEntry::modified).reversed());
+    return all;
+  }
+
+  @Override
+  public boolean handle(
+      BrowserSession browser, String rest, Request request, Response response, Callback callback)
+      throws IOException {
+    boolean columns = rest.endsWith(COLUMNS);
+    Path file;
+    try {
+      file = file(columns ? rest.substring(0, rest.length() - COLUMNS.length()) : rest);
+    } catch (CommandException e) {
+      return false;
+    }
+    if (!HttpMethod.GET.is(request.getMethod())) {
+      return false;
+    }
+    if (columns) {
+      return columns(file, response, callback);
+    }
+    String name = file.getFileName().toString();
+    boolean csv = name.toLowerCase(Locale.ROOT).endsWith(CSV);
+    response
+        .getHeaders()
+        .put(HttpHeader.CONTENT_TYPE, csv ? "text/csv; charset=utf-8" : "application/jsonl")
+        .put(HttpHeader.CONTENT_DISPOSITION, "attachment; filename=\"" + name + "\"");
+    Content.copy(Content.Source.from(file), response, callback);
+    return true;
+  }
+
+  /** Answers with the numbers; one after the other, since a recording takes some memory. */
+  private synchronized boolean columns(Path file, Response response, Callback callback)
+      throws IOException {
+    long bytes = Files.size(file);
+    if (bytes > MOST_BYTES_TO_REPLAY) {
+      String reason =
+          "A recording that is opened may have at most "
+              + MOST_BYTES_TO_REPLAY
+              + " bytes, this one has "
+              + bytes
+              + ". Download it instead.";
+      return PageHandler.refuse(response, callback, HttpStatus.PAYLOAD_TOO_LARGE_413, reason);
+    }
+    ByteBuffer content;
+    try {
+      content = ReplayColumns.read(file).bytes();
+    } catch (IOException e) {
+      String reason = String.valueOf(e.getMessage());
+      return PageHandler.refuse(response, callback, HttpStatus.UNPROCESSABLE_ENTITY_422, reason);
+    }
+    response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/octet-stream");
+    response.write(true, content, callback);
+    return true;
+  }
+}

@@ -1,0 +1,372 @@
+package no.hials.crosscom.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import no.hials.crosscom.cell.RecordedData;
+import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class RecordingTest {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final int ROWS = 5;
+  private static final String FIRST = "2026-05-04T10:15:30.000000Z";
+
+  @TempDir private Path folder;
+
+  private TestPages pages(ServerType type) throws IOException {
+    return TestPages.start(type, folder, cfg -> {});
+  }
+
+  private static JsonNode start(TestSocket socket, String name, String format, String names)
+      throws InterruptedException {
+    return socket.call(
+        "record-start",
+        "robot",
+        "'mock'",
+        "name",
+        "'" + name + "'",
+        "names",
+        names,
+        "period",
+        "20",
+        "format",
+        "'" + format + "'");
+  }
+
+  /** Stops a recording that has some rows; returns its state. */
+  private static JsonNode stop(TestSocket socket, String file) throws InterruptedException {
+    socket.await(
+        it ->
+            it.path("event").asText().equals("recording")
+                && it.path("file").asText().equals(file)
+                && it.path("rows").asInt() >= ROWS);
+    return socket.call("record-stop", "file", "'" + file + "'").path("ok");
+  }
+
+  private static List<String> files(TestSocket socket) throws InterruptedException {
+    List<String> names = new ArrayList<>();
+    socket
+        .call("recordings")
+        .path("ok")
+        .path("recordings")
+        .forEach(it -> names.add(it.path("file").asText()));
+    return names;
+  }
+
+  /** The numbers for the replay: the description, and the rows of each column. */
+  private record Columns(JsonNode head, List<double[]> rows) {
+    double[] of(String name) {
+      for (int i = 0; i < head.path("columns").size(); i++) {
+        if (head.path("columns").get(i).path("name").asText().equals(name)) {
+          return rows.get(i + 1);
+        }
+      }
+      throw new AssertionError(name + " is not in " + head);
+    }
+  }
+
+  private static Columns columns(TestPages pages, String file) throws Exception {
+    HttpResponse<byte[]> answer =
+        HttpClient.newHttpClient()
+            .send(
+                HttpRequest.newBuilder(pages.at("/recordings/" + file + "/columns"))
+                    .header("Cookie", pages.login(Role.VIEW))
+                    .build(),
+                HttpResponse.BodyHandlers.ofByteArray());
+    assertThat(answer.statusCode())
+        .as(new String(answer.body(), StandardCharsets.UTF_8))
+        .isEqualTo(200);
+    ByteBuffer bytes = ByteBuffer.wrap(answer.body()).order(ByteOrder.LITTLE_ENDIAN);
+    byte[] text = new byte[bytes.getInt()];
+    bytes.get(text);
+    assertThat(bytes.position() % Double.BYTES).isZero();
+    JsonNode head = MAPPER.readTree(text);
+    List<double[]> rows = new ArrayList<>();
+    for (int column = 0; column <= head.path("columns").size(); column++) {
+      double[] values = new double[head.path("rows").asInt()];
+      bytes.asDoubleBuffer().get(values);
+      bytes.position(bytes.position() + values.length * Double.BYTES);
+      rows.add(values);
+    }
+    assertThat(bytes.hasRemaining()).isFalse();
+    return new Columns(head, rows);
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void aRecordingInCsvIsAFileThatTheCommandLineReads(ServerType type) throws Exception {
+    try (TestPages pages = pages(type);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      JsonNode started = start(socket, "run-1", "csv", "['$pos_act', '$OV_PRO', '$MODE_OP']");
+      assertThat(started.path("ok").path("file").asText()).isEqualTo("run-1.csv");
+      JsonNode end = stop(socket, "run-1.csv");
+
+      assertThat(end.path("running").asBoolean()).isFalse();
+      assertThat(end.path("reason").asText()).isEmpty();
+      RecordedData data = RecordedData.read(folder.resolve("recordings/run-1.csv"));
+      RecordedData.RecordedColumn override = data.find("$OV_PRO").orElseThrow();
+      assertThat(override.size()).isEqualTo(end.path("rows").asInt());
+      assertThat(override.values()).containsOnly(100);
+      assertThat(data.find("$POS_ACT.X").orElseThrow().values()).containsOnly(525);
+      assertThat(data.find("$MODE_OP").orElseThrow().texts()).containsOnly("#T1");
+      assertThat(override.seconds()).isSorted();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void aRecordingInJsonLinesHasALineForEachReading(ServerType type) throws Exception {
+    try (TestPages pages = pages(type);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      start(socket, "run", "jsonl", "['$AXIS_ACT', '$OV_PRO']");
+      JsonNode end = stop(socket, "run.jsonl");
+
+      List<String> lines = Files.readAllLines(folder.resolve("recordings/run.jsonl"));
+      assertThat(lines).hasSize(end.path("rows").asInt());
+      for (String line : lines) {
+        JsonNode values = MAPPER.readTree(line).path("values");
+        assertThat(values.path("$AXIS_ACT").path("A2").asDouble()).isEqualTo(-90);
+        assertThat(values.path("$OV_PRO").asInt()).isEqualTo(100);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"csv", "jsonl"})
+  void aRecordingIsReplayedByItsNumbers(String format) throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      start(socket, "run", format, "['$AXIS_ACT', '$STOPMESS', '$MODE_OP', '$TORQUE_AXIS_ACT[]']");
+      JsonNode end = stop(socket, "run." + format);
+
+      Columns columns = columns(pages, "run." + format);
+
+      assertThat(columns.head.path("rows").asInt()).isEqualTo(end.path("rows").asInt());
+      assertThat(columns.head.path("texts").get(0).asText()).isEqualTo("$MODE_OP");
+      assertThat(columns.rows.get(0)).isSorted().startsWith(0);
+      assertThat(columns.of("$AXIS_ACT.A2")).containsOnly(-90);
+      assertThat(columns.of("$STOPMESS")).containsOnly(0);
+      assertThat(columns.of("$TORQUE_AXIS_ACT[2]")).doesNotContain(Double.NaN);
+      assertThat(columns.head.path("columns").get(0).path("unit").asText()).isEqualTo("°");
+    }
+  }
+
+  @Test
+  void aLostConnectionIsAGapInTheNumbers() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      Files.writeString(
+          files.resolve("a.csv"),
+          String.join(
+              "\r\n",
+              "time,seconds,$OV_PRO,access_ms,status",
+              FIRST + ",0.000000,10,1.0,",
+              FIRST + ",0.100000,,,gap 3; lost",
+              FIRST + ",0.500000,20,1.0,\r\n"));
+      String line = "{'time':'%s','seconds':%s,'failed':%s,'values':{'$OV_PRO':%s}}\n";
+      Files.writeString(
+          files.resolve("b.jsonl"),
+          (line.formatted(FIRST, 0, 0, 10) + line.formatted(FIRST, 0.5, 3, 20) + "{'time'")
+              .replace('\'', '"'));
+
+      assertThat(columns(pages, "a.csv").of("$OV_PRO")).containsExactly(10, Double.NaN, 20);
+      assertThat(columns(pages, "b.jsonl").of("$OV_PRO")).containsExactly(10, Double.NaN, 20);
+      assertThat(columns(pages, "b.jsonl").rows.get(0)).containsExactly(0, 0, 0.5);
+    }
+  }
+
+  @Test
+  void aFileThatIsNoRecordingIsRefusedWithItsReason() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      Files.writeString(files.resolve("a.csv"), "a,b\n1,2\n");
+      Files.writeString(files.resolve("b.jsonl"), "[]\n{}\n");
+      String cookie = pages.login(Role.VIEW);
+
+      for (String file : List.of("a.csv", "b.jsonl")) {
+        HttpResponse<String> answer =
+            pages.get(pages.at("/recordings/" + file + "/columns"), "Cookie", cookie);
+        assertThat(answer.statusCode()).isEqualTo(422);
+        assertThat(answer.body()).containsAnyOf("is not a recording", "is not of a recording");
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void everyViewerSeesListsAndDownloadsRecordings(ServerType type) throws Exception {
+    try (TestPages pages = pages(type);
+        TestSocket socket = pages.open(Role.OPERATE);
+        TestSocket other = pages.open(Role.VIEW)) {
+      start(socket, "run", "csv", "['$OV_PRO']");
+      other.awaitEvent("recordings");
+      assertThat(other.awaitEvent("recording").path("robot").asText()).isEqualTo("mock");
+      assertThat(other.call("recordings").path("ok").path("running").get(0).path("file").asText())
+          .isEqualTo("run.csv");
+      assertThat(socket.call("recording-delete", "file", "'run.csv'").path("error").asText())
+          .isEqualTo("stop run.csv first");
+      stop(socket, "run.csv");
+      other.await(
+          it -> it.path("event").asText().equals("recording") && !it.path("running").asBoolean());
+
+      assertThat(files(other)).containsExactly("run.csv");
+      HttpResponse<String> file =
+          pages.get(pages.at("/recordings/run.csv"), "Cookie", pages.login(Role.VIEW));
+      assertThat(file.body())
+          .startsWith("time,seconds,$OV_PRO,access_ms,status\r\n")
+          .isEqualTo(Files.readString(folder.resolve("recordings/run.csv")));
+      assertThat(file.headers().firstValue("content-disposition"))
+          .contains("attachment; filename=\"run.csv\"");
+
+      assertThat(socket.call("recording-delete", "file", "'run.csv'").has("ok")).isTrue();
+      assertThat(files(other)).isEmpty();
+      assertThat(folder.resolve("recordings/run.csv")).doesNotExist();
+    }
+  }
+
+  @Test
+  void aViewerWhoMayOnlyViewRecordsAndDeletesNothing() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.VIEW)) {
+      String refused = "this needs the role OPERATE; this browser may only VIEW";
+      assertThat(start(socket, "run", "csv", "['$OV_PRO']").path("error").asText())
+          .isEqualTo(refused);
+      assertThat(socket.call("record-stop", "file", "'run.csv'").path("error").asText())
+          .isEqualTo(refused);
+      assertThat(socket.call("recording-delete", "file", "'run.csv'").path("error").asText())
+          .isEqualTo(refused);
+      assertThat(folder.resolve("recordings")).doesNotExist();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"", "../x", "a/b", ".hidden", "a.b", "con", "COM1", "a b", "-a", "a\\u0000"})
+  void aNameThatIsNoPlainFileIsRefused(String name) throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      assertThat(start(socket, name, "csv", "['$OV_PRO']").path("error").asText())
+          .startsWith("the name of a recording must have");
+      assertThat(folder.resolve("recordings")).doesNotExist();
+    }
+  }
+
+  @Test
+  void noOtherFileIsReadOrDeleted() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      Files.createDirectories(folder.resolve("recordings"));
+      Files.writeString(folder.resolve("secret.csv"), "secret");
+      Files.writeString(folder.resolve("recordings/notes.txt"), "secret");
+      String cookie = pages.login(Role.JOG);
+      for (String name : List.of("../secret.csv", "..%2fsecret.csv", "notes.txt", "", "x.csv")) {
+        assertThat(pages.get(pages.at("/recordings/" + name), "Cookie", cookie).body())
+            .doesNotContain("secret\n")
+            .isNotEqualTo("secret");
+        assertThat(socket.call("recording-delete", "file", "'" + name + "'").path("error").asText())
+            .isEqualTo("there is no such recording");
+      }
+      assertThat(folder.resolve("secret.csv")).exists();
+      assertThat(files(socket)).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void aVariableThatCannotBeReadStartsNoRecording(ServerType type) throws Exception {
+    try (TestPages pages = pages(type);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      JsonNode answer = start(socket, "run", "csv", "['$OV_PRO', 'NO_SUCH_VARIABLE']");
+
+      assertThat(answer.path("error").asText()).contains("NO_SUCH_VARIABLE");
+      assertThat(files(socket)).isEmpty();
+      assertThat(socket.call("recordings").path("ok").path("running")).isEmpty();
+    }
+  }
+
+  @Test
+  void aFileIsNotOverwrittenAndTooManyRecordingsAreRefused() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      for (int i = 0; i < 4; i++) {
+        assertThat(start(socket, "run" + i, "csv", "['$OV_PRO']").has("ok")).isTrue();
+      }
+      assertThat(start(socket, "run4", "csv", "['$OV_PRO']").path("error").asText())
+          .isEqualTo("there are 4 recordings already: stop one first");
+      stop(socket, "run0.csv");
+      assertThat(start(socket, "run0", "csv", "['$OV_PRO']").path("error").asText())
+          .isEqualTo("there is already a recording run0.csv");
+      assertThat(start(socket, "run0", "jsonl", "['$OV_PRO']").has("ok")).isTrue();
+    }
+  }
+
+  @Test
+  void wrongSettingsAreRefused() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      assertThat(start(socket, "run", "xls", "['$OV_PRO']").path("error").asText())
+          .isEqualTo("format must be csv or jsonl");
+      assertThat(start(socket, "run", "csv", "[]").path("error").asText())
+          .startsWith("names must have at least one name");
+      assertThat(socket.call("record-stop", "file", "'run.csv'").path("error").asText())
+          .isEqualTo("there is no such recording that runs");
+      JsonNode unnamed =
+          socket.call(
+              "record-start",
+              "robot",
+              "'mock'",
+              "names",
+              "['$OV_PRO']",
+              "period",
+              "20",
+              "format",
+              "'csv'");
+      assertThat(unnamed.path("ok").path("file").asText()).matches("mock-\\d{8}-\\d{6}\\.csv");
+    }
+  }
+
+  @Test
+  void aRecordingIsCompleteWhenTheServerIsClosed() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      start(socket, "run", "csv", "['$OV_PRO']");
+      socket.await(
+          it -> it.path("event").asText().equals("recording") && it.path("rows").asInt() >= ROWS);
+    }
+    RecordedData data = RecordedData.read(folder.resolve("recordings/run.csv"));
+    assertThat(data.find("$OV_PRO").orElseThrow().values()).hasSizeGreaterThanOrEqualTo(ROWS);
+  }
+
+  @Test
+  void unitsAreThoseOfTheCatalogue() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.VIEW)) {
+      JsonNode units =
+          socket
+              .call("units", "names", "['$POS_ACT.X', '$AXIS_ACT.A1', '$OV_PRO', 'MYREAL']")
+              .path("ok")
+              .path("units");
+      assertThat(units.path("$POS_ACT.X").asText()).isEqualTo("mm");
+      assertThat(units.path("$AXIS_ACT.A1").asText()).isEqualTo("°");
+      assertThat(units.path("$OV_PRO").asText()).isEqualTo("%");
+      assertThat(units.path("MYREAL").asText()).isEmpty();
+    }
+  }
+}

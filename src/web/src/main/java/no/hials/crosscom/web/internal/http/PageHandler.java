@@ -23,7 +23,7 @@ import org.eclipse.jetty.util.Fields;
  * Serves the page: turns the token of a link into a session, and gives files to browsers that have
  * one.
  */
-public final class PageHandler extends Handler.Abstract.NonBlocking {
+public final class PageHandler extends Handler.Abstract {
   private static final String TOKEN = "token";
   private static final String NO_SESSION =
       "This browser has no session. Open the link that 'jopenshowvar web' has printed; each link"

@@ -3,6 +3,7 @@
 import { h, render } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { Header } from './header.js';
+import { ReplayBar } from './replay-bar.js';
 import { connect } from './socket.js';
 import { state, useSharedState } from './state.js';
 
@@ -10,6 +11,7 @@ import { state, useSharedState } from './state.js';
 const VIEWS = {
   variables: ['Variables', () => import('./view/variables.js')],
   robot: ['3-D', () => import('./view/robot.js')],
+  charts: ['Charts', () => import('./view/charts.js')],
   teach: ['Teach', () => import('./view/teach.js')],
 };
 
@@ -75,9 +77,10 @@ function App() {
   }, [view]);
   return h(
     'div',
-    { class: `frame ${shared.socket === 'open' ? '' : 'cut'}` },
+    { class: `frame ${shared.socket === 'open' ? '' : 'cut'} ${shared.replay ? 'replaying' : ''}` },
     h(Header),
     h(Connection),
+    h(ReplayBar),
     h(Navigation, { view }),
     // a view begins again with another robot
     h('main', { id: 'main' }, Content && state.robot && h(Content, { key: view + state.robot })),

@@ -1,7 +1,7 @@
 // The line that is always on top: robot, connection, mode, program, override, stop and lock.
 
 import { h } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { call } from './socket.js';
 import { ageOf, chooseRobot, header, isStale, mayOperate, note, useSharedState } from './state.js';
 
@@ -138,15 +138,30 @@ function RobotName({ state, one }) {
   return h('strong', { class: 'robot' }, one.robot ?? '…');
 }
 
+/** Tells the style sheets the height of the header, below which others stick. */
+function useHeight() {
+  const element = useRef(null);
+  useEffect(() => {
+    const { style } = document.documentElement;
+    const observer = new ResizeObserver(() =>
+      style.setProperty('--top-height', `${element.current?.offsetHeight ?? 0}px`),
+    );
+    observer.observe(element.current);
+    return () => observer.disconnect();
+  }, []);
+  return element;
+}
+
 export function Header() {
   const state = useSharedState();
+  const element = useHeight();
   useTicks(250);
   const one = header();
   const stale = isStale(one);
   const mode = MODES[one.mode] ?? one.mode ?? '–';
   return h(
     'header',
-    { class: `top ${stale ? 'stale' : ''}` },
+    { class: `top ${stale ? 'stale' : ''}`, ref: element },
     h(
       'div',
       { class: 'identity' },

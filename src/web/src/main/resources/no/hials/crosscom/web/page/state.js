@@ -13,6 +13,8 @@ export const state = {
   headers: {},
   /** The time of the server minus that of this computer, in ms. */
   clockOffset: 0,
+  /** The player of the recording that is open in all views; null shows the robot. */
+  replay: null,
   /** Short messages at the edge of the page. */
   notes: [],
 };

@@ -2,6 +2,7 @@
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { LONGEST_STEP } from '../replay.js';
 import { call, watch } from '../socket.js';
 import { header, isStale, note, state, useSharedState } from '../state.js';
 
@@ -37,6 +38,24 @@ function live(model, listener) {
     watch(state.robot, '3d-frames', ['$BASE', '$TOOL'], FRAME_PERIOD, seen),
   ];
   return () => stops.forEach((stop) => stop());
+}
+
+/**
+ * Follows the player of a recording, as `live` follows the robot.
+ *
+ * @param jumped called before the values of a time that does not follow the one before
+ */
+function replayed(player, jumped, listener) {
+  let before = player.time;
+  const show = () => {
+    if (player.time < before || player.time > before + LONGEST_STEP * player.speed) {
+      jumped();
+    }
+    before = player.time;
+    listener(player.recording.readings(player.time));
+  };
+  show();
+  return player.follow(show);
 }
 
 /** Shows the model of the server; asks again after a connection was lost. */
@@ -228,9 +247,17 @@ function Numbers({ model, values, stale }) {
   );
 }
 
+/** Returns why a recording shows no robot at this time; an empty text if it does. */
+function missing(player, values) {
+  if (!player.recording.track('$AXIS_ACT.A1')) {
+    return 'The recording has no $AXIS_ACT';
+  }
+  return structure(values, '$AXIS_ACT') ? '' : 'No values at this time';
+}
+
 export function View() {
   const model = useModel();
-  useSharedState();
+  const player = useSharedState().replay;
   const canvas = useRef(null);
   const latest = useRef({});
   const [values, setValues] = useState({});
@@ -241,8 +268,15 @@ export function View() {
       return undefined;
     }
     let timer;
-    const stop = live(model, (changes) => {
-      Object.assign(latest.current, changes);
+    latest.current = {};
+    picture.current?.clearPath();
+    setValues({});
+    const source = (follow) =>
+      player
+        ? replayed(player, () => picture.current?.clearPath(), follow)
+        : live(model, follow);
+    const stop = source((changes) => {
+      latest.current = player ? changes : Object.assign(latest.current, changes);
       show(picture.current, model, latest.current);
       // nobody reads numbers at the pace of the picture
       timer ??= setTimeout(() => {
@@ -254,11 +288,12 @@ export function View() {
       clearTimeout(timer);
       stop();
     };
-  }, [model]);
+  }, [model, player]);
   if (!model) {
     return h('section', { class: 'panel' }, h('h1', null, '3-D'), h('p', null, 'Asking for the robot …'));
   }
-  const stale = isStale(header());
+  const stale = player === null && isStale(header());
+  const recorded = player && missing(player, values);
   const scene = (work) => () => picture.current && work(picture.current);
   return h(
     'div',
@@ -295,7 +330,10 @@ export function View() {
       model.note && h('p', { class: 'hint guess' }, `Not this robot: ${model.note}.`),
       h(
         'div',
-        { class: `stage ${stale ? 'old' : ''}`, hidden: failure !== '' },
+        {
+          class: `stage ${stale || recorded ? 'old' : ''} ${player ? 'recorded' : ''}`,
+          hidden: failure !== '',
+        },
         h('canvas', {
           ref: canvas,
           tabIndex: 0,
@@ -305,6 +343,8 @@ export function View() {
           onKeyDown: (event) => turnByKey(picture.current, event),
         }),
         stale && h('p', { class: 'old-mark' }, 'Not up to date'),
+        player && h('p', { class: 'replay-mark' }, 'Recording, not the robot'),
+        recorded && h('p', { class: 'old-mark' }, recorded),
       ),
       failure &&
         h('p', { class: 'failure' }, `This browser cannot draw the robot: ${failure}`),

@@ -1,0 +1,572 @@
+// The view of charts: variables over time and as paths, live or of a recording.
+
+import { h } from 'preact';
+import { useEffect, useRef, useState } from 'preact/hooks';
+import { lineColour, LINES, useColours } from '../charts/colours.js';
+import { PlanePath, SpacePath } from '../charts/path-panel.js';
+import { Recordings } from '../charts/recordings.js';
+import { TimePanel } from '../charts/time-panel.js';
+import { Tracks, valueAt } from '../charts/tracks.js';
+import { call, watch } from '../socket.js';
+import { header, isStale, note, state, useSharedState } from '../state.js';
+import { Search } from '../variables/search.js';
+
+const SPANS = { 10: '10 s', 30: '30 s', 60: '1 min', 120: '2 min', 300: '5 min', 600: '10 min' };
+const PERIODS = [10, 20, 50, 100, 250, 500, 1000, 5000];
+const DEFAULT = { names: ['$POS_ACT', '$AXIS_ACT'], shown: {}, span: 30, period: 50, path: '' };
+const PLANES = { XY: ['X', 'Y'], XZ: ['X', 'Z'], YZ: ['Y', 'Z'], XYZ: ['X', 'Y', 'Z'] };
+const FRAME = 33; // ms between two pictures
+const SHORT = 4; // ms of drawing in one frame
+const TEXT_PERIOD = 200;
+const SHORTEST = 0.02; // s
+const SHARE = 0.02; // of the window: a step of the cursor by the keys
+
+function stored() {
+  try {
+    const { names, shown, span, period, path } = JSON.parse(
+      localStorage.getItem(`charts/${state.robot}`),
+    );
+    return {
+      names: names.map(String),
+      shown: { ...shown },
+      span: span in SPANS ? Number(span) : DEFAULT.span,
+      period: PERIODS.includes(period) ? period : DEFAULT.period,
+      path: String(path),
+    };
+  } catch {
+    return DEFAULT;
+  }
+}
+
+/** Returns the settings, which this browser keeps, and a function that replaces some of them. */
+function useSettings() {
+  const [settings, setSettings] = useState(stored);
+  const change = (fields) =>
+    setSettings((old) => {
+      const next = { ...old, ...fields };
+      localStorage.setItem(`charts/${state.robot}`, JSON.stringify(next));
+      return next;
+    });
+  return [settings, change];
+}
+
+/** Returns the units of numbers by their names; asks for those that are new. */
+function useUnits(leaves) {
+  const [units, setUnits] = useState({});
+  const missing = leaves.filter((leaf) => !(leaf in units));
+  useEffect(() => {
+    if (missing.length > 0) {
+      call('units', { names: missing })
+        .then((answer) => setUnits((old) => ({ ...old, ...answer.units })))
+        .catch((e) => note('error', e.message));
+    }
+  }, [missing.join('\n')]);
+  return units;
+}
+
+/** Returns whether a number is drawn until somebody chooses otherwise: if it has a unit. */
+function isFirstChoice(leaf, unit, names) {
+  return (unit !== '' || !leaf.includes('.')) && names.includes(leaf.split(/[.[]/, 1)[0]);
+}
+
+/** Returns the lines of each panel, by their unit. */
+function panelsOf(leaves, units, isShown) {
+  const panels = new Map();
+  for (const leaf of leaves) {
+    const unit = units[leaf];
+    if (unit !== undefined && isShown(leaf)) {
+      const lines = panels.get(unit) ?? [];
+      const dash = lines.length >= LINES ? [6, 3] : undefined;
+      panels.set(unit, [...lines, { leaf, colour: lineColour(lines.length), dash }]);
+    }
+  }
+  return panels;
+}
+
+/** The positions among some numbers: variables with X, Y and Z. */
+function pathsOf(leaves) {
+  const all = new Set(leaves);
+  return leaves
+    .filter((leaf) => leaf.endsWith('.X'))
+    .map((leaf) => leaf.slice(0, -2))
+    .filter((base) => all.has(`${base}.Y`) && all.has(`${base}.Z`));
+}
+
+/** What is drawn, apart from the components: the source, the window, the cursor and the panels. */
+class Picture {
+  tracks = new Tracks();
+  frozen = null;
+  zoomed = null;
+  cursor = null;
+  panels = new Set();
+  waiting = new Set();
+
+  constructor(changed) {
+    this.changed = changed;
+    this.span = DEFAULT.span;
+  }
+
+  get player() {
+    return state.replay;
+  }
+
+  get source() {
+    return this.player?.recording ?? this.frozen ?? this.tracks;
+  }
+
+  /** Returns the times at the edges. */
+  window() {
+    if (this.zoomed) {
+      return this.zoomed;
+    }
+    if (this.player) {
+      return [0, Math.max(SHORTEST, this.player.end)];
+    }
+    const end = this.source.latest || Date.now() / 1000;
+    return [end - this.span, end];
+  }
+
+  /** Returns the time of the numbers that are shown as text. */
+  time() {
+    return this.cursor ?? this.player?.time ?? this.source.latest;
+  }
+
+  freeze(value) {
+    this.frozen = value ? this.tracks.copy() : null;
+    if (!value) {
+      this.zoomed = null;
+    }
+    this.draw();
+    this.changed();
+  }
+
+  zoom(from, to) {
+    if (to - from < SHORTEST) {
+      return;
+    }
+    if (!this.player && !this.frozen) {
+      this.frozen = this.tracks.copy();
+    }
+    this.zoomed = [from, to];
+    this.draw();
+    this.changed();
+  }
+
+  zoomBy(factor) {
+    const [from, to] = this.window();
+    const middle = this.cursor ?? (from + to) / 2;
+    this.zoom(middle + (from - middle) * factor, middle + (to - middle) * factor);
+  }
+
+  reset() {
+    if (this.player) {
+      this.zoomed = null;
+      this.draw();
+      this.changed();
+    } else {
+      this.freeze(false);
+    }
+  }
+
+  point(time) {
+    this.cursor = time;
+    this.changed();
+  }
+
+  choose(time) {
+    this.player?.seek(time);
+  }
+
+  /** Draws soon the panels that can be seen: at most 30 times a second, and less if it is slow. */
+  draw() {
+    this.waiting = new Set(this.panels);
+    if (!this.asked) {
+      this.asked = true;
+      const wait = Math.max(0, (this.next ?? 0) - performance.now());
+      setTimeout(() => requestAnimationFrame(() => this.frame()), wait);
+    }
+  }
+
+  /** Draws some panels, and leaves the others for the next frame if that takes long. */
+  frame() {
+    const start = performance.now();
+    const [from, to] = this.window();
+    const mark = this.player ? this.player.time : null;
+    for (const panel of this.waiting) {
+      this.waiting.delete(panel);
+      if (panel.isVisible !== false) {
+        panel.draw(this.source, from, to, mark);
+        if (performance.now() - start > SHORT) {
+          break;
+        }
+      }
+    }
+    this.used = (this.used ?? 0) + performance.now() - start;
+    if (this.waiting.size > 0) {
+      requestAnimationFrame(() => this.frame());
+      return;
+    }
+    this.next = performance.now() + Math.max(FRAME - this.used, 2 * this.used);
+    this.used = 0;
+    this.asked = false;
+  }
+}
+
+/** Returns the picture, fed by the robot or the player. */
+function usePicture({ names, period, span }) {
+  const [, setCount] = useState(0);
+  const picture = useRef(null);
+  const timer = useRef(undefined);
+  picture.current ??= new Picture(() => {
+    timer.current ??= setTimeout(() => {
+      timer.current = undefined;
+      setCount((count) => count + 1);
+    }, TEXT_PERIOD);
+  });
+  const own = picture.current;
+  const player = state.replay;
+  own.span = span;
+  useEffect(() => () => clearTimeout(timer.current), []);
+  useEffect(() => {
+    own.frozen = null;
+    own.zoomed = null;
+    own.cursor = null;
+    own.draw();
+    own.changed();
+    return player?.follow(() => {
+      own.draw();
+      own.changed();
+    });
+  }, [player]);
+  useEffect(() => {
+    own.tracks.keep(names);
+    own.changed();
+    return player
+      ? undefined
+      : watch(state.robot, 'charts', names, period, (event) => {
+          own.tracks.add(event, period);
+          own.draw();
+          own.changed();
+        });
+  }, [names.join('\n'), period, player]);
+  useEffect(() => own.draw(), [span]);
+  useColours(() => own.panels.forEach((panel) => panel.redraw()));
+  return own;
+}
+
+/** A panel that somebody else draws; `create` returns it, or a promise of it. */
+function usePanel(picture, create, keys) {
+  const element = useRef(null);
+  const panel = useRef(null);
+  const [failure, setFailure] = useState('');
+  useEffect(() => {
+    let wanted = true;
+    setFailure('');
+    Promise.resolve(create(element.current))
+      .then((made) => {
+        if (!wanted) {
+          made.dispose();
+          return;
+        }
+        panel.current = made;
+        picture.panels.add(made);
+        picture.draw();
+      })
+      .catch((e) => wanted && setFailure(e.message));
+    return () => {
+      wanted = false;
+      picture.panels.delete(panel.current);
+      panel.current?.dispose();
+      panel.current = null;
+    };
+  }, keys);
+  return [element, panel, failure];
+}
+
+function turnByKey(picture, event) {
+  const [from, to] = picture.window();
+  const step = { ArrowLeft: -SHARE, ArrowRight: SHARE }[event.key];
+  if (event.ctrlKey || event.metaKey || event.altKey) {
+    return;
+  }
+  if (step) {
+    const at = picture.cursor ?? to;
+    picture.point(Math.max(from, Math.min(to, at + step * (to - from))));
+  } else if (event.key === '+' || event.key === '-') {
+    picture.zoomBy(event.key === '+' ? 0.8 : 1.25);
+  } else if (event.key === 'Escape') {
+    picture.point(null);
+    picture.reset();
+  } else if (event.key === 'Enter' && picture.cursor !== null) {
+    picture.choose(picture.cursor);
+  } else {
+    return;
+  }
+  event.preventDefault();
+}
+
+function TimeChart({ picture, unit, lines }) {
+  const isLive = !state.replay;
+  const [element] = usePanel(
+    picture,
+    (at) =>
+      new TimePanel(at, lines, isLive, {
+        zoom: (from, to) => picture.zoom(from, to),
+        reset: () => picture.reset(),
+        point: (time) => picture.point(time),
+        choose: (time) => picture.choose(time),
+      }),
+    [isLive, ...lines.flatMap((line) => [line.leaf, line.colour])].join('\n').split('\0'),
+  );
+  const title = unit === '' ? 'without unit' : unit;
+  return h(
+    'figure',
+    { class: 'chart' },
+    h('figcaption', null, title),
+    h('div', {
+      class: 'plot',
+      ref: element,
+      role: 'img',
+      tabIndex: 0,
+      'aria-label': `Over time, ${title}: ${lines.map((line) => line.leaf).join(', ')}. The values are in the list of lines.`,
+      'aria-describedby': 'chart-keys',
+      onKeyDown: (event) => turnByKey(picture, event),
+    }),
+  );
+}
+
+function Path({ picture, base, plane }) {
+  const leaves = PLANES[plane].map((axis) => `${base}.${axis}`);
+  const [element, panel, failure] = usePanel(
+    picture,
+    (at) => (plane === 'XYZ' ? SpacePath.create(at, leaves) : new PlanePath(at, leaves)),
+    [base, plane],
+  );
+  return h(
+    'figure',
+    { class: 'chart path' },
+    h('figcaption', null, `${base}, ${plane}`, plane === 'XYZ' ? ': X red, Y green, Z blue' : ''),
+    failure && h('p', { class: 'failure' }, `This browser cannot draw it: ${failure}`),
+    h('div', {
+      class: 'plot',
+      key: plane,
+      ref: element,
+      role: 'img',
+      tabIndex: 0,
+      'aria-label': `Path of ${base}, ${plane}`,
+      onKeyDown: (event) => panel.current?.turn?.(event.key) && event.preventDefault(),
+    }),
+  );
+}
+
+function number(value) {
+  if (Number.isNaN(value)) {
+    return '–';
+  }
+  return Number.isInteger(value) ? String(value) : value.toFixed(Math.abs(value) < 10 ? 4 : 2);
+}
+
+function Line({ picture, leaf, title, unit, line, onShow }) {
+  return h(
+    'label',
+    { class: 'line' },
+    h('input', {
+      type: 'checkbox',
+      checked: line !== undefined,
+      onChange: (event) => onShow(leaf, event.target.checked),
+    }),
+    h('span', { class: `swatch ${line ? line.colour.slice(2) : 'none'}` }),
+    h('span', { class: 'part' }, title),
+    h('span', { class: 'reading' }, number(valueAt(picture.source.track(leaf), picture.time()))),
+    h('span', { class: 'unit' }, unit),
+  );
+}
+
+/** The numbers of the chosen variables, each of which can be shown or hidden. */
+function Lines({ picture, names, units, panels, isFirst, stale, onShow, onRemove }) {
+  const shown = new Map([...panels.values()].flat().map((line) => [line.leaf, line]));
+  return h(
+    'section',
+    { class: `panel lines ${stale ? 'stale' : ''}`, 'aria-label': 'Lines' },
+    names.map((name) => {
+      const leaves = picture.source.leaves(name);
+      const skipped = name.replace(/\[\]$/, '').length;
+      const isListed = (leaf) => shown.has(leaf) || isFirst(leaf);
+      const others = leaves.filter((leaf) => !isListed(leaf));
+      const row = (leaf) =>
+        h(Line, {
+          key: leaf,
+          picture,
+          leaf,
+          title: leaf === name ? 'value' : leaf.slice(skipped),
+          unit: units[leaf] ?? '',
+          line: shown.get(leaf),
+          onShow,
+        });
+      return h(
+        'fieldset',
+        { key: name },
+        h(
+          'legend',
+          null,
+          h('span', { class: 'variable' }, name),
+          onRemove &&
+            h(
+              'button',
+              { class: 'quiet', 'aria-label': `Remove ${name}`, onClick: () => onRemove(name) },
+              '×',
+            ),
+        ),
+        leaves.length === 0 && h('p', { class: 'hint' }, 'No number yet.'),
+        leaves.filter(isListed).map(row),
+        others.length > 0 &&
+          h(
+            'details',
+            null,
+            h('summary', null, `${others.length} more`),
+            others.map(row),
+          ),
+      );
+    }),
+  );
+}
+
+function Tools({ picture, settings, onChange, bases }) {
+  const { player } = picture;
+  const isPaused = picture.frozen !== null;
+  const path = bases.some((base) => settings.path.startsWith(`${base} `)) ? settings.path : '';
+  return h(
+    'div',
+    { class: 'chart-tools' },
+    !player &&
+      h(
+        'button',
+        {
+          class: `pause ${isPaused ? 'main' : ''}`,
+          'aria-pressed': String(isPaused),
+          onClick: () => picture.freeze(!isPaused),
+        },
+        isPaused ? 'Resume' : 'Pause',
+      ),
+    !player &&
+      h(
+        'select',
+        {
+          'aria-label': 'Length of time',
+          value: settings.span,
+          onChange: (event) => onChange({ span: Number(event.target.value) }),
+        },
+        Object.entries(SPANS).map(([span, text]) => h('option', { key: span, value: span }, text)),
+      ),
+    !player &&
+      h(
+        'select',
+        {
+          'aria-label': 'Period of the readings',
+          value: settings.period,
+          onChange: (event) => onChange({ period: Number(event.target.value) }),
+        },
+        PERIODS.map((period) => h('option', { key: period, value: period }, `every ${period} ms`)),
+      ),
+    h(
+      'select',
+      {
+        'aria-label': 'Path',
+        value: path,
+        onChange: (event) => onChange({ path: event.target.value }),
+      },
+      h('option', { value: '' }, 'No path'),
+      bases.flatMap((base) =>
+        Object.keys(PLANES).map((plane) =>
+          h('option', { key: base + plane, value: `${base} ${plane}` }, `${base} ${plane}`),
+        ),
+      ),
+    ),
+    h(
+      'span',
+      { class: 'zoom', role: 'group', 'aria-label': 'Zoom' },
+      h('button', { 'aria-label': 'Zoom in', onClick: () => picture.zoomBy(0.5) }, '+'),
+      h('button', { 'aria-label': 'Zoom out', onClick: () => picture.zoomBy(2) }, '−'),
+      h('button', { disabled: !picture.zoomed, onClick: () => picture.reset() }, 'Reset zoom'),
+    ),
+  );
+}
+
+export function View() {
+  useSharedState();
+  const [settings, change] = useSettings();
+  const picture = usePicture(settings);
+  const { player } = picture;
+  const names = player ? player.recording.names : settings.names;
+  const leaves = names.flatMap((name) => picture.source.leaves(name));
+  const asked = useUnits(player ? [] : leaves);
+  const units = player ? player.recording.units : asked;
+  // a recording may have more for the 3-D view than what was chosen
+  const chosen = settings.names.map((name) => name.split(/[.[]/, 1)[0]);
+  const first = names.some((name) => chosen.includes(name)) ? chosen : names;
+  const isFirst = (leaf) => isFirstChoice(leaf, units[leaf] ?? '', first);
+  const panels = panelsOf(leaves, units, (leaf) => settings.shown[leaf] ?? isFirst(leaf));
+  const bases = pathsOf(leaves);
+  const [base, plane] = settings.path.split(' ');
+  const stale = !player && isStale(header());
+  const add = (name) => {
+    const key = name.toUpperCase();
+    if (!settings.names.includes(key)) {
+      change({ names: [...settings.names, key] });
+    }
+  };
+  return h(
+    'div',
+    { class: 'charts' },
+    h('h1', { class: 'unseen' }, 'Charts'),
+    h(
+      'div',
+      { class: 'pictures' },
+      h(
+        'section',
+        { class: 'panel', 'aria-label': 'Charts' },
+        h(Tools, { picture, settings, onChange: change, bases }),
+        panels.size === 0 &&
+          h(
+            'p',
+            { class: 'hint' },
+            names.length === 0 ? 'Choose variables in the search to see them over time.' : 'Waiting for numbers …',
+          ),
+        h(
+          'div',
+          { class: stale ? 'old' : '' },
+          [...panels].map(([unit, lines]) => h(TimeChart, { key: unit, picture, unit, lines })),
+          bases.includes(base) && plane in PLANES && h(Path, { picture, base, plane }),
+        ),
+        h(
+          'p',
+          { class: 'hint', id: 'chart-keys' },
+          'Drag or turn the wheel to zoom, double-click to reset; arrow keys, +, − and Escape.',
+          player ? ' Click to go to a time.' : '',
+        ),
+      ),
+      h(Recordings, { names: settings.names, period: settings.period }),
+    ),
+    h(
+      'div',
+      { class: 'choice' },
+      h(Lines, {
+        picture,
+        names,
+        units,
+        panels,
+        isFirst,
+        stale,
+        onShow: (leaf, value) => change({ shown: { ...settings.shown, [leaf]: value } }),
+        onRemove: player ? null : (name) => change({ names: settings.names.filter((it) => it !== name) }),
+      }),
+      !player &&
+        h(
+          'details',
+          { class: 'add' },
+          h('summary', null, 'Add variables'),
+          h(Search, { names: settings.names, onAdd: add }),
+        ),
+    ),
+  );
+}

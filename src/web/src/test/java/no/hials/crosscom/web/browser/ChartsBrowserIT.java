@@ -1,0 +1,163 @@
+package no.hials.crosscom.web.browser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import no.hials.crosscom.cell.RecordedData;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.TestPages;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.openqa.selenium.Keys;
+
+/** Live charts, a recording, and its replay in the charts and in 3-D. */
+@ExtendWith(WithBrowser.class)
+class ChartsBrowserIT {
+  @TempDir private Path folder;
+  private TestPages pages;
+
+  @BeforeEach
+  void start() throws IOException {
+    pages = TestPages.start(folder);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    pages.close();
+  }
+
+  private void override(int percent) {
+    pages.controller().variables().set("$OV_PRO", Integer.toString(percent));
+  }
+
+  /** Returns an expression for whether the list of lines has a text. */
+  private static String lines(String text) {
+    return "document.querySelector('.lines').innerText.replace(/\\s+/g, ' ').includes('"
+        + text
+        + "')";
+  }
+
+  private static String button(String text) {
+    return "[...document.querySelectorAll('button')].find((it) => it.textContent === '"
+        + text
+        + "')";
+  }
+
+  private static void click(Browser browser, String text) {
+    browser.await(button(text));
+    browser.run(button(text) + ".click()");
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"DESKTOP", "PHONE"})
+  void aRecordingIsReplayedInTheChartsAndIn3d(Browser.Size size, Browser browser)
+      throws IOException {
+    browser.size(size);
+    override(40);
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=charts#/charts"));
+
+    // live
+    browser.await("document.querySelectorAll('.chart canvas').length === 2");
+    browser.await(lines(".X 525 mm"));
+    browser.run("document.querySelector('.add').open = true");
+    browser.find(".charts input[type=search]").sendKeys("$OV_PRO", Keys.ENTER);
+    browser.await(lines("value 40 %"));
+    browser.await("document.querySelectorAll('.chart canvas').length === 3");
+    assertThat(browser.run("return localStorage.getItem('charts/mock')").toString())
+        .contains("$OV_PRO");
+
+    // a pause freezes the picture
+    click(browser, "Pause");
+    override(60);
+    click(browser, "Resume");
+    browser.await(lines("value 60 %"));
+
+    // a recording
+    click(browser, "● Record …");
+    browser.find("dialog input").sendKeys("run-1");
+    click(browser, "Record");
+    browser.await("/ [1-9]\\d* rows/.test(document.querySelector('.recordings').innerText)");
+    override(80);
+    browser.await("/ 1[0-9]\\d* rows/.test(document.querySelector('.recordings').innerText)");
+    click(browser, "Stop");
+    browser.await(button("Open"));
+    RecordedData file = RecordedData.read(folder.resolve("recordings/run-1.csv"));
+    assertThat(file.find("$OV_PRO").orElseThrow().values()).contains(60, 80);
+    assertThat(file.find("$AXIS_ACT.A1")).isPresent();
+
+    // what happens now is not in it
+    override(20);
+    click(browser, "Open");
+    browser.await("document.querySelector('.replay')");
+    browser.await(lines("value 60 %"));
+    assertThat(browser.text(".replay")).contains("run-1.csv");
+    seek(browser, file.find("$OV_PRO").orElseThrow().seconds());
+    browser.await(lines("value 80 %"));
+    assertThat(browser.barriers()).isEmpty();
+    assertThat(browser.overflow()).isNotPositive();
+    if (size == Browser.Size.PHONE) {
+      assertThat(browser.smallTargets()).isEmpty();
+    }
+    browser.picture("charts-replay-" + size);
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"DESKTOP", "PHONE"})
+  void theReplayMovesTheNumbersOfThe3dView(Browser.Size size, Browser browser) throws IOException {
+    Path recordings = Files.createDirectories(folder.resolve("recordings"));
+    Files.writeString(
+        recordings.resolve("turn.csv"),
+        """
+        time,seconds,$AXIS_ACT.A1,$AXIS_ACT.A2,$AXIS_ACT.A3,$AXIS_ACT.A4,$AXIS_ACT.A5,$AXIS_ACT.A6,access_ms,status
+        2026-05-04T10:15:30.000000Z,0.000000,11,-80,90,0,30,0,1.0,
+        2026-05-04T10:15:31.000000Z,1.000000,22,-80,90,0,30,0,1.0,
+        2026-05-04T10:15:32.000000Z,2.000000,33,-80,90,0,30,0,1.0,
+        """);
+    browser.size(size);
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.open(pages.at("/?view=charts#/charts"));
+    click(browser, "Open");
+    browser.await("document.querySelector('.replay')");
+
+    browser.run("location.hash = '#/robot'");
+    browser.await(axes("11.00"));
+    browser.await("document.querySelector('.replay-mark')");
+    seek(browser, new double[] {1.5});
+    browser.await(axes("22.00"));
+    click(browser, "Play");
+    browser.await(axes("33.00"));
+    browser.await(button("Play")); // at the end
+    assertThat(browser.barriers()).isEmpty();
+    assertThat(browser.overflow()).isNotPositive();
+    browser.picture("robot-replay-" + size);
+
+    click(browser, "Close");
+    browser.await("!document.querySelector('.replay-mark')");
+    browser.await(axes("-90.00")); // the robot itself
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  /** Returns an expression for whether the table of axes has a value. */
+  private static String axes(String value) {
+    return "document.querySelector('.axes')?.innerText.includes('" + value + "')";
+  }
+
+  /** Moves the player to the last time. */
+  private static void seek(Browser browser, double[] seconds) {
+    browser.run(
+        """
+        const slider = document.querySelector('.replay input');
+        slider.value = arguments[0];
+        slider.dispatchEvent(new Event('input'));
+        """,
+        seconds[seconds.length - 1]);
+  }
+}

@@ -1,6 +1,7 @@
 package no.hials.crosscom.web;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -16,6 +17,8 @@ public final class WebConfig {
   private final Path folder;
   private final int port;
   private final boolean readOnly;
+  private final boolean jogInAuto;
+  private final Duration jogMaxDelay;
   private final @Nullable Path shapes;
 
   private WebConfig(Builder builder) {
@@ -24,6 +27,8 @@ public final class WebConfig {
     folder = Objects.requireNonNull(builder.folder, "folder");
     port = builder.port;
     readOnly = builder.readOnly;
+    jogInAuto = builder.jogInAuto;
+    jogMaxDelay = builder.jogMaxDelay;
     shapes = builder.shapes;
     if (robots.isEmpty()) {
       throw new IllegalArgumentException("name at least one robot");
@@ -67,6 +72,16 @@ public final class WebConfig {
     return readOnly;
   }
 
+  /** Returns whether real robots may be jogged in other modes than T1. */
+  public boolean jogInAuto() {
+    return jogInAuto;
+  }
+
+  /** Returns the maximum time of reading the position while a robot is jogged. */
+  public Duration jogMaxDelay() {
+    return jogMaxDelay;
+  }
+
   /** Returns the folder with the shapes of the robot's links; empty for generated shapes. */
   public Optional<Path> shapes() {
     return Optional.ofNullable(shapes);
@@ -79,6 +94,8 @@ public final class WebConfig {
     private @Nullable Path folder;
     private int port = 8080;
     private boolean readOnly;
+    private boolean jogInAuto;
+    private Duration jogMaxDelay = Duration.ofMillis(100);
     private @Nullable Path shapes;
 
     private Builder() {}
@@ -121,6 +138,27 @@ public final class WebConfig {
     /** Sets whether nothing may be changed on any robot. The default is false. */
     public Builder readOnly(boolean value) {
       readOnly = value;
+      return this;
+    }
+
+    /**
+     * Sets whether real robots may be jogged in other modes than T1, where nobody has to hold an
+     * enabling switch. The default is false. Robots that are simulated by this process may always.
+     */
+    public Builder jogInAuto(boolean value) {
+      jogInAuto = value;
+      return this;
+    }
+
+    /**
+     * Sets the maximum time of reading the position while a robot is jogged, 1 ms to 2 s. A longer
+     * reading ends the jogging. The default is 100 ms.
+     */
+    public Builder jogMaxDelay(Duration value) {
+      if (value.compareTo(Duration.ofMillis(1)) < 0 || value.compareTo(Duration.ofSeconds(2)) > 0) {
+        throw new IllegalArgumentException("the delay must be 1 ms to 2 s, is " + value);
+      }
+      jogMaxDelay = value;
       return this;
     }
 

@@ -8,6 +8,7 @@ import no.hials.crosscom.web.internal.audit.AuditCommands;
 import no.hials.crosscom.web.internal.audit.AuditLog;
 import no.hials.crosscom.web.internal.http.PageHandler;
 import no.hials.crosscom.web.internal.http.Tokens;
+import no.hials.crosscom.web.internal.jog.JogCommands;
 import no.hials.crosscom.web.internal.model.ModelCommands;
 import no.hials.crosscom.web.internal.model.ShapeFiles;
 import no.hials.crosscom.web.internal.recordings.RecordingCommands;
@@ -106,6 +107,10 @@ public final class WebServer implements AutoCloseable {
     parts.add(recordings);
     pages.add("/recordings/", recordings.files());
     recordings.addTo(commands);
+    JogCommands jog = new JogCommands(robots, audit, sockets, config);
+    parts.add(jog);
+    sockets.atOpen(jog::show);
+    jog.addTo(commands);
     server.start();
   }
 

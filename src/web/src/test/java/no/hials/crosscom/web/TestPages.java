@@ -22,14 +22,17 @@ public final class TestPages implements AutoCloseable {
   private static final HttpClient HTTP = HttpClient.newHttpClient();
 
   private final WebServer web;
+  private final boolean simulated;
   private MockServer controller;
 
   private TestPages(
+      boolean simulated,
       ServerType type,
       Path folder,
       Consumer<MockServerConfig.Builder> more,
       Consumer<WebConfig.Builder> settings)
       throws IOException {
+    this.simulated = simulated;
     Robot robot = new Robot("mock", null, 0, null, null, type, null);
     web =
         WebServer.start(
@@ -47,7 +50,7 @@ public final class TestPages implements AutoCloseable {
                                       RobotConnection.open(
                                               one.at(controller.host(), controller.port()), client)
                                           .client(),
-                                      controller);
+                                      simulated ? controller : null);
                                 }))));
   }
 
@@ -59,7 +62,15 @@ public final class TestPages implements AutoCloseable {
   /** Starts a server with a robot. */
   public static TestPages start(ServerType type, Path folder, Consumer<WebConfig.Builder> settings)
       throws IOException {
-    return new TestPages(type, folder, cfg -> {}, settings);
+    return new TestPages(true, type, folder, cfg -> {}, settings);
+  }
+
+  /**
+   * Starts a server with a robot that looks like a real one: of which it knows the address only.
+   */
+  public static TestPages startRemote(
+      ServerType type, Path folder, Consumer<WebConfig.Builder> settings) throws IOException {
+    return new TestPages(false, type, folder, cfg -> {}, settings);
   }
 
   /** Returns the simulated controller. */
@@ -121,5 +132,8 @@ public final class TestPages implements AutoCloseable {
   @Override
   public void close() throws IOException {
     web.close();
+    if (!simulated) {
+      controller.close();
+    }
   }
 }

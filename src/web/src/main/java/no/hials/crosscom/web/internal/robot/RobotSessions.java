@@ -142,6 +142,7 @@ public final class RobotSessions implements AutoCloseable {
         "who",
         Role.VIEW,
         (call, answer) -> {
+          answer.put("id", call.viewer().id());
           answer.put("name", call.viewer().name()).put("role", call.viewer().role().name());
           sessions.keySet().forEach(answer.putArray("robots")::add);
         });

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
+import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.http.BrowserSession;
 import org.eclipse.jetty.websocket.api.Callback;
@@ -26,6 +27,9 @@ public final class Viewer implements Session.Listener.AutoDemanding {
 
   private static final int POLICY_VIOLATION = 1008;
 
+  private static final AtomicLong COUNT = new AtomicLong();
+
+  private final long id = COUNT.incrementAndGet();
   private final BrowserSession browser;
   private final Commands commands;
   private final Executor workers;
@@ -45,6 +49,11 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     this.commands = commands;
     this.workers = workers;
     this.sockets = sockets;
+  }
+
+  /** Returns a number that no other page has. */
+  public long id() {
+    return id;
   }
 
   /** Returns the name of its browser, for people. */

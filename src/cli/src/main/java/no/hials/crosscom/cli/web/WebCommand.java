@@ -34,7 +34,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "web",
     description = {
-      "Shows robots on a web page until Ctrl-C: variables, and the robot in 3-D.",
+      "Shows robots on a web page until Ctrl-C: variables, the robot in 3-D, and jogging.",
       "The first line of stdout is the link to open, which works once."
     },
     footer = {
@@ -42,6 +42,9 @@ import picocli.CommandLine.Option;
       "The page is on the loopback address: only browsers on this computer reach it. A robot is"
           + " read-only until somebody unlocks it on the page, and always with --read-only. Every"
           + " change is a line of audit.jsonl in the folder of --data.",
+      "",
+      "Jogging on the page moves a machine. It is not an enabling device and not an emergency stop:"
+          + " see docs/how-to/jog-the-robot.md.",
       "",
       "Ctrl-C (SIGINT) and SIGTERM end the command with exit code 0.",
       "",
@@ -52,6 +55,7 @@ import picocli.CommandLine.Option;
     })
 public final class WebCommand extends ConsoleCommand {
   private static final int PORT = 8080;
+  private static final Duration LONGEST_DELAY = Duration.ofSeconds(2);
 
   @Option(
       names = "--robot",
@@ -128,6 +132,23 @@ public final class WebCommand extends ConsoleCommand {
   @Option(names = "--read-only", description = "Refuse to send anything that changes a controller.")
   private boolean readOnly;
 
+  @Option(
+      names = "--jog-in-auto",
+      order = 5,
+      description =
+          "Allow jogging of real robots in every mode. Without it, they have to be in T1, where a"
+              + " person holds the enabling switch. Simulated robots may always be jogged.")
+  private boolean jogInAuto;
+
+  @Option(
+      names = "--jog-max-delay",
+      paramLabel = "TIME",
+      order = 5,
+      description =
+          "Maximum time to read the position of a robot that is jogged, at most 2s. Default: 100ms."
+              + " A longer time ends the jogging.")
+  private Duration jogMaxDelay = Duration.ofMillis(100);
+
   @Override
   public ExitCode run() throws IOException {
     RobotChoice choice =
@@ -150,6 +171,9 @@ public final class WebCommand extends ConsoleCommand {
     if (shapes != null && !Files.isDirectory(shapes)) {
       throw wrongUsage("--stl: there is no folder " + shapes);
     }
+    if (jogMaxDelay.compareTo(LONGEST_DELAY) > 0 || jogMaxDelay.toMillis() < 1) {
+      throw wrongUsage("--jog-max-delay must be 1ms to 2s, is " + jogMaxDelay.toMillis() + "ms");
+    }
     LoadedFiles loaded = new LoadedFiles(false);
     Archive opened = archive == null ? null : LoadedFiles.open(List.of(archive));
     Path folder = data == null ? Profiles.path(console()::environment).resolveSibling("web") : data;
@@ -161,7 +185,9 @@ public final class WebCommand extends ConsoleCommand {
                     .folder(folder)
                     .port(port)
                     .shapes(shapes)
-                    .readOnly(readOnly));
+                    .readOnly(readOnly)
+                    .jogInAuto(jogInAuto)
+                    .jogMaxDelay(jogMaxDelay));
     try (StopSignal stop = new StopSignal();
         WebServer page = start(config)) {
       String link = page.link(Role.JOG);

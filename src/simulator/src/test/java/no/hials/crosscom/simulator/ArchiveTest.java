@@ -456,6 +456,24 @@ final class ArchiveTest {
   }
 
   @Test
+  void aFileWithAWrongChecksumIsRefusedAndTheRestIsLoaded() throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put("KRC/R1/Program/bit.src", text("DEF BIT( )\nPARTS=1\nEND\n"));
+    files.putAll(cell());
+    Path zip = asZip(files, StandardCharsets.UTF_8);
+    ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(zip)).order(ByteOrder.LITTLE_ENDIAN);
+    int checksum = firstCentralHeader(bytes) + 16;
+    bytes.putInt(checksum, bytes.getInt(checksum) ^ 1);
+    Files.write(zip, bytes.array());
+
+    LoadReport report = load(zip);
+
+    assertThat(report(report, "bit.src").problems().get(0).message())
+        .isEqualTo("the zip is damaged: the checksum of the file is wrong");
+    assertThat(controller.programs()).doesNotContain("BIT").contains("MAIN");
+  }
+
+  @Test
   void theReportNamesFilesThatClientsCannotSee() throws Exception {
     Map<String, byte[]> files = cell();
     files.put("KRC/R1/Program/aux.src", text("DEF AUX( )\nEND\n"));

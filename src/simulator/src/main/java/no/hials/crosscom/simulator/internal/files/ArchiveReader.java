@@ -16,10 +16,12 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Enumeration;
 import java.util.List;
+import java.util.zip.CRC32;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipException;
 import java.util.zip.ZipFile;
 import no.hials.crosscom.protocol.value.PrintableText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the files of an archive from zips, folders and single files. It reads at most {@link
@@ -49,7 +51,10 @@ public final class ArchiveReader {
     InputStream open() throws IOException;
   }
 
-  private record Source(String path, Opener opener) {}
+  /**
+   * @param checksum that of a file in a zip; null without one
+   */
+  private record Source(String path, Opener opener, @Nullable Long checksum) {}
 
   /**
    * Reads an archive. Folders and files whose names begin with a dot are left out, and links.
@@ -82,7 +87,7 @@ public final class ArchiveReader {
       if (!ArchivedFile.isModule(name(place))) {
         throw problem(place, "it is neither a zip nor a .src, .sub or .dat file");
       }
-      return readAll(List.of(new Source(name(place), () -> Files.newInputStream(place))));
+      return readAll(List.of(new Source(name(place), () -> Files.newInputStream(place), null)));
     }
     try (ZipFile zip = open(place)) {
       return readAll(sources(zip));
@@ -140,7 +145,9 @@ public final class ArchiveReader {
     while (entries.hasMoreElements()) {
       ZipEntry entry = entries.nextElement();
       if (!entry.isDirectory()) {
-        add(sources, entry.getName().replace('\\', '/'), () -> zip.getInputStream(entry));
+        Long checksum = entry.getCrc() < 0 ? null : entry.getCrc();
+        String path = entry.getName().replace('\\', '/');
+        add(sources, new Source(path, () -> zip.getInputStream(entry), checksum));
       }
     }
     return sources;
@@ -163,7 +170,8 @@ public final class ArchiveReader {
           public FileVisitResult visitFile(Path file, BasicFileAttributes attributes)
               throws IOException {
             if (attributes.isRegularFile()) {
-              add(sources, path(folder, file), () -> Files.newInputStream(file));
+              Opener opener = () -> Files.newInputStream(file);
+              add(sources, new Source(path(folder, file), opener, null));
             }
             return FileVisitResult.CONTINUE;
           }
@@ -173,12 +181,11 @@ public final class ArchiveReader {
             if (file.equals(folder)) {
               throw e;
             }
-            add(
-                sources,
-                path(folder, file),
+            Opener opener =
                 () -> {
                   throw e;
-                });
+                };
+            add(sources, new Source(path(folder, file), opener, null));
             return FileVisitResult.CONTINUE;
           }
         });
@@ -189,14 +196,14 @@ public final class ArchiveReader {
     return folder.relativize(file).toString().replace('\\', '/');
   }
 
-  private static void add(List<Source> sources, String path, Opener opener) throws IOException {
-    if (Arrays.stream(path.split("/", -1)).anyMatch(ArchiveReader::isHidden)) {
+  private static void add(List<Source> sources, Source source) throws IOException {
+    if (Arrays.stream(source.path().split("/", -1)).anyMatch(ArchiveReader::isHidden)) {
       return;
     }
     if (sources.size() == MAX_FILES) {
       throw new IOException("an archive has at most " + MAX_FILES + " files, has more");
     }
-    sources.add(new Source(path, opener));
+    sources.add(source);
   }
 
   private static boolean isHidden(String name) {
@@ -238,7 +245,15 @@ public final class ArchiveReader {
     } catch (IOException e) {
       return refused(source, "cannot be read: " + e.getMessage());
     }
-    return new ArchivedFile(source.path(), content, null);
+    return source.checksum() == null || source.checksum() == checksum(content)
+        ? new ArchivedFile(source.path(), content, null)
+        : refused(source, "the zip is damaged: the checksum of the file is wrong");
+  }
+
+  private static long checksum(byte[] content) {
+    CRC32 checksum = new CRC32();
+    checksum.update(content);
+    return checksum.getValue();
   }
 
   /** Returns whether a path of a zip is what a folder could have. */

@@ -38,6 +38,8 @@ public final class Archive {
 
   private static final int FILE_COST = 1024;
 
+  private static final String OUTSIDE = "not loaded: it is not in R1 or STEU as other files are";
+
   /** The files by their places below {@code KRC:\}. */
   private final Map<String, ArchivedFile> files = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
 
@@ -53,7 +55,7 @@ public final class Archive {
         new ArchiveLayout(
             all.stream().filter(f -> f.refusal() == null).map(ArchivedFile::path).toList());
     for (ArchivedFile file : all) {
-      String refusal = file.refusal();
+      String refusal = layout.isOutside(file) ? OUTSIDE : file.refusal();
       if (refusal != null) {
         refuse(file, refusal);
         continue;

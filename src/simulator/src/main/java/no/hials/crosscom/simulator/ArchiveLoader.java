@@ -3,11 +3,13 @@ package no.hials.crosscom.simulator;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 import java.util.function.Function;
@@ -18,6 +20,7 @@ import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.simulator.LoadReport.FileReport;
 import no.hials.crosscom.simulator.LoadReport.Outcome;
 import no.hials.crosscom.simulator.internal.files.ArchivedFile;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Loads the programs and data lists of an archive in this order
@@ -42,6 +45,9 @@ final class ArchiveLoader {
 
   /** The names of the loaded modules, by the places of their files. */
   private final Map<String, String> modules = new LinkedHashMap<>();
+
+  /** The places of the files whose name or module another file has, which is loaded. */
+  private final Set<String> replaced = new HashSet<>();
 
   ArchiveLoader(Archive archive, ModuleLoader loader, LoadingMode mode) {
     this.archive = archive;
@@ -93,20 +99,23 @@ final class ArchiveLoader {
             .toList();
     parse(places);
     Map<String, String> first = new HashMap<>();
+    places.forEach(place -> first.putIfAbsent(name(place), place));
+    Map<String, String> owners = new HashMap<>();
     for (String place : places) {
-      String other = first.putIfAbsent(name(place), place);
-      if (other == null) {
-        load(place);
+      String other = Objects.requireNonNull(first.get(name(place)));
+      String owner = other.equals(place) ? owner(place, first, owners) : place;
+      if (!other.equals(place)) {
+        replace(place, "another file of this name is loaded: ", other);
+      } else if (!owner.equals(place)) {
+        replace(place, "another file has its module " + module(place) + ", and is loaded: ", owner);
       } else {
-        ArchivedFile file = file(place);
-        String reason = "another file of this name is loaded: " + file(other).path();
-        put(place, FileReport.refused(file.path(), List.of(Archive.problem(file.name(), reason))));
+        load(place);
       }
     }
     // a list may use a type of a list that comes later
     for (String place : List.copyOf(reports.keySet())) {
       FileReport before = report(place);
-      if (step(place) == Step.LISTS && first.containsValue(place) && !before.problems().isEmpty()) {
+      if (step(place) == Step.LISTS && !replaced.contains(place) && !before.problems().isEmpty()) {
         load(place);
         if (report(place).problems().size() > before.problems().size()) {
           put(place, before);
@@ -114,6 +123,44 @@ final class ArchiveLoader {
       }
     }
     checkNames();
+  }
+
+  private void replace(String place, String reason, String other) {
+    replaced.add(place);
+    refuse(place, reason + file(other).path());
+  }
+
+  private void refuse(String place, String reason) {
+    ArchivedFile file = file(place);
+    put(place, FileReport.refused(file.path(), List.of(Archive.problem(file.name(), reason))));
+  }
+
+  /**
+   * Returns the place of the file whose module is loaded: of several files with one module, as
+   * copies are, that with its name, else the first.
+   *
+   * @param first the places of the files by their names
+   * @param owners the places of the modules, to which that of this file is added
+   */
+  private String owner(String place, Map<String, String> first, Map<String, String> owners) {
+    String module = module(place);
+    if (module == null || module.startsWith("$")) {
+      return place;
+    }
+    String key = module + place.substring(place.lastIndexOf('.')).toUpperCase(Locale.ROOT);
+    String named = first.getOrDefault(key, place);
+    return !named.equals(place) && module.equals(module(named))
+        ? named
+        : owners.computeIfAbsent(key, same -> place);
+  }
+
+  /** Returns the name of a module in upper case; null if the file is not KRL. */
+  private @Nullable String module(String place) {
+    try {
+      return parsed(place).file().map(file -> file.name().toUpperCase(Locale.ROOT)).orElse(null);
+    } catch (KrlFileException | RuntimeException | VirtualMachineError e) {
+      return null; // see load
+    }
   }
 
   /** Begins to parse the files in a thread of its own, which ends when all are parsed. */
@@ -167,8 +214,7 @@ final class ArchiveLoader {
     } catch (KrlFileException e) {
       put(place, FileReport.refused(file.path(), e.errors()));
     } catch (RuntimeException | VirtualMachineError e) {
-      String reason = "the file cannot be loaded: " + e;
-      put(place, FileReport.refused(file.path(), List.of(Archive.problem(file.name(), reason))));
+      refuse(place, "the file cannot be loaded: " + e);
     }
   }
 

@@ -225,6 +225,67 @@ final class ArchiveTest {
     assertThat(tree.exists("KRC:\\R1\\Program\\main.src")).isTrue();
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "System/$config.dat,Program/main.src,cell.src,KRC:\\R1\\cell.src",
+    "KRC/System/$config.dat,KRC/Program/main.src,KRC/more/my.src,KRC:\\R1\\Program\\more\\my.src",
+    "KRC/first.src,KRC/second.src,KRC/more/my.src,KRC:\\R1\\Program\\more\\my.src",
+    "cell/System/$config.dat,cell/TP/main.src,my.src,KRC:\\R1\\Program\\my.src"
+  })
+  void aProgramNextToTheFoldersOfR1IsLoaded(String list, String program, String other, String place)
+      throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put(list, text(list.endsWith(".dat") ? "DEFDAT $CONFIG\nENDDAT\n" : "DEF C( )\nEND\n"));
+    files.put(program, text("DEF D( )\nEND\n"));
+    files.put(other, text("DEF MY( )\nEND\n"));
+
+    assertThat(load(asFolder(files)).problems()).isEmpty();
+    assertThat(controller.programs()).contains("MY");
+    assertThat(Archive.open(folder).tree().exists(place)).isTrue();
+  }
+
+  @Test
+  void aProgramNextToR1IsNotLoadedAndTheReportSaysSo() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("old/main.src", text("DEF MAIN( )\nPARTS=0\nEND\n"));
+    files.put("KRC/Roboter/Template/vorgabe.src", text("DEF VORGABE( )\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report(report, "old/main.src").outcome()).isEqualTo(Outcome.REFUSED);
+    assertThat(report(report, "old/main.src").problems().get(0).message())
+        .isEqualTo("not loaded: it is not in R1 or STEU as other files are");
+    assertThat(controller.programs()).doesNotContain("VORGABE");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("123");
+  }
+
+  @Test
+  void aCopyOfAProgramDoesNotReplaceTheFileWithTheNameOfTheModule() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/Copy of main.src", text("DEF MAIN( )\nPARTS=0\nEND\n"));
+    files.put("KRC/R1/Program/z_main.src", text("DEF MAIN( )\nPARTS=0\nEND\n"));
+    files.put("KRC/R1/Program/z_main.dat", text("DEFDAT MAIN PUBLIC\nINT STEP=7\nENDDAT\n"));
+    files.put("KRC/R1/Program/alone_1.src", text("DEF ALONE( )\nEND\n"));
+    files.put("KRC/R1/Program/alone_2.src", text("DEF ALONE( )\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report.files().stream().filter(file -> file.outcome() == Outcome.REFUSED))
+        .extracting(file -> file.path() + ": " + file.problems().get(0).message())
+        .containsExactlyInAnyOrder(
+            "KRC/R1/Program/Copy of main.src: another file has its module MAIN, and is loaded:"
+                + " KRC/R1/Program/main.src",
+            "KRC/R1/Program/z_main.src: another file has its module MAIN, and is loaded:"
+                + " KRC/R1/Program/main.src",
+            "KRC/R1/Program/z_main.dat: another file has its module MAIN, and is loaded:"
+                + " KRC/R1/TP/pack/main.dat",
+            "KRC/R1/Program/alone_2.src: another file has its module ALONE, and is loaded:"
+                + " KRC/R1/Program/alone_1.src");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("123");
+  }
+
   @Test
   void modulesOfKssWithoutFoldersAreProgramsUnlessTheyAreDataLists() throws Exception {
     byte[] program = text("DEF $tt_own( )\nEND\n");

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.lang.KrlError;
@@ -81,11 +82,7 @@ public final class LoadedFiles {
     }
     FileReport loaded = report.files().get(0);
     if (loaded.module().isEmpty()) {
-      KrlFileException reason = new KrlFileException(report.problems());
-      throw new FileException(
-          "cannot load " + file + ":",
-          String.valueOf(reason.getMessage()).lines().toList(),
-          reason);
+      throw cannotLoad(file, report.problems());
     }
     reports.addAll(report.files());
     if (!LocalFiles.name(file).toLowerCase(Locale.ROOT).endsWith(".dat")) {
@@ -102,6 +99,14 @@ public final class LoadedFiles {
    */
   public String loadOrFind(Controller controller, Path file, boolean archive) throws FileException {
     if (archive && !Files.exists(file)) {
+      List<FileReport> named = reports.stream().filter(each -> isNamed(each, file)).toList();
+      Optional<FileReport> used = named.stream().filter(each -> !each.module().isEmpty()).findAny();
+      if (used.isPresent()) {
+        return used.get().module();
+      }
+      if (!named.isEmpty()) {
+        throw cannotLoad(file, named.get(0).problems());
+      }
       String name = LocalFiles.name(file).replaceFirst("\\.\\w+$", "");
       for (String known : controller.programs()) {
         if (known.equalsIgnoreCase(name)) {
@@ -110,6 +115,17 @@ public final class LoadedFiles {
       }
     }
     return load(controller, file);
+  }
+
+  private static boolean isNamed(FileReport loaded, Path file) {
+    String path = loaded.path();
+    return path.substring(path.lastIndexOf('/') + 1).equalsIgnoreCase(LocalFiles.name(file));
+  }
+
+  private static FileException cannotLoad(Path file, List<KrlError> problems) {
+    KrlFileException reason = new KrlFileException(problems);
+    return new FileException(
+        "cannot load " + file + ":", String.valueOf(reason.getMessage()).lines().toList(), reason);
   }
 
   /** Adds the names that are missing to the reports of single programs, after all were loaded. */

@@ -152,7 +152,10 @@ final class KrlRun extends ConsoleCommand {
         try {
           controller.runProgram();
         } catch (IllegalStateException e) {
-          console().hint("not started: " + e.getMessage());
+          // after a message that stops the program, the messages say enough
+          if (controller.variables().get("$STOPMESS").equals("FALSE")) {
+            console().hint("not started: " + e.getMessage());
+          }
           return false;
         }
       }

@@ -278,7 +278,20 @@ class MockArchiveTest {
     Cli.Result result = Cli.run("krl", "run", program.toString());
 
     assertThat(result.code()).isEqualTo(1);
-    assertThat(result.err()).contains("stops.src:2:1", "the program did not reach its end");
+    assertThat(result.err())
+        .contains("stops.src:2:1", "the program did not reach its end")
+        .doesNotContain("not started");
+  }
+
+  @Test
+  void runFindsAProgramOfTheArchiveByItsFileAndSaysWhyOneWasRefused() throws Exception {
+    files.put("KRC/R1/Program/drop_2.src", PICK.replace("PICK", "DROP"));
+    files.put("KRC/R1/Program/pick_old.src", PICK);
+
+    assertThat(Cli.run("krl", "run", "DROP_2.SRC", "--archive", zip()).lines()).hasSize(3);
+    Cli.run("krl", "run", "pick_old.src", "--archive", zip)
+        .fails(2)
+        .contains("another file has its module PICK, and is loaded: KRC/R1/Program/pick.src");
   }
 
   @Test

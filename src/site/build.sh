@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Builds the site of docs into target/site-docs; a broken link or anchor fails it. It needs Python 3.9 or later,
-# and installs what requirements.txt names into target/site-venv. Javadoc that lies in target/reports/apidocs
-# becomes a part of it; "--javadoc" makes that first.
+# Builds the site of docs into target/site-docs; a broken link or anchor fails the build. It needs Python 3.9 or
+# later, and installs the packages of requirements.txt into target/site-venv. Javadoc in target/reports/apidocs
+# becomes part of the site; "--javadoc" builds it first.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+mkdir -p target
 
 if [[ ${1:-} == --javadoc ]]; then
   mvn -B -q -DskipTests package
-  # Some modules have a module-info and some do not, which one Javadoc of all cannot mix: it reads files.
+  # One run of javadoc cannot mix modules with and without module-info, so it gets a list of files.
   find src/{protocol,lang,kinematics,client,control,simulator,cell}/src/main/java mock-server/src/main/java \
     -name '*.java' ! -name module-info.java ! -path '*/internal/*' > target/javadoc-files
   jspecify=$(find ~/.m2/repository/org/jspecify -name 'jspecify-*.jar' 2>/dev/null | sort | tail -1)
@@ -23,5 +24,5 @@ if ! cmp -s src/site/requirements.txt "$venv/requirements.txt"; then
   "$venv/bin/pip" -q --disable-pip-version-check install -r src/site/requirements.txt
   cp src/site/requirements.txt "$venv/"
 fi
-export NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 # no news from Material, no files in src
+export NO_MKDOCS_2_WARNING=1 PYTHONDONTWRITEBYTECODE=1 # no announcements of Material, no files in src
 exec "$venv/bin/mkdocs" build --strict --clean -f src/site/mkdocs.yml

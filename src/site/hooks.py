@@ -1,6 +1,6 @@
-"""Makes a site of the pages in docs, which are written for a code host.
+"""Builds a site from the pages in docs, which are written for a code host.
 
-The pages link to files outside docs (examples, KRL programs) by their place in the repository. The site has no
+The pages link to files outside docs (examples, KRL programs) by their path in the repository. The site has no
 such files, so each of them becomes a page of it, and the link leads there. The navigation has the pages of
 each folder in the order in which index.md links to them.
 """
@@ -86,7 +86,7 @@ def on_post_build(config):
 
 
 def over_text(markdown, change):
-    """Changes the lines that are not code."""
+    """Returns the text with a function applied to the lines that are not code."""
     lines = []
     code = False
     for line in markdown.split("\n"):
@@ -97,7 +97,7 @@ def over_text(markdown, change):
 
 
 def outside(page):
-    """Gives what a page links to outside of docs, as paths in the repository."""
+    """Returns the files outside docs that a page links to, as paths in the repository."""
     found = []
 
     def note(line):
@@ -112,7 +112,7 @@ def outside(page):
 
 
 def resolve(page, link):
-    """Gives the path in the repository that a link of a page leads to; None if it is within docs."""
+    """Returns the path in the repository that a link of a page leads to; None if it is within docs."""
     path = posixpath.normpath(posixpath.join("docs", posixpath.dirname(page), link))
     return None if path == "docs" or path.startswith("docs/") else path
 

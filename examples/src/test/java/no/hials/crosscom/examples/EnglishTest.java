@@ -19,23 +19,24 @@ class EnglishTest {
   private static final Set<String> NOT_OURS = Set.of("target", ".git", ".idea", "node_modules");
   private static final Pattern TEXT =
       Pattern.compile(
-          "[^.]+|.*\\.(java|g4|md|xml|sh|bat|py|toml|properties|yml|src|sub|dat)",
+          "[^.]+|.*\\.(java|g4|md|xml|sh|bat|py|toml|properties|yml|src|sub|dat|tsv)",
           Pattern.CASE_INSENSITIVE);
 
   /** May grow. Whole words, in upper or lower case. */
   private static final String WORDS =
-      "anew|for want of|mend|bears?|in vain|seldom|whoever|(?-i:(?<!there )is none)|takes the news|(?:end|result) to come"
-          + "|what came of|alike, too|for one thread|may stand there|argument too many|it is not said"
-          + "|gone after it|is waited|to be had|the leave to|is what is left|it has enough"
-          + "|as it were|beside|behind it|for ever|stands in|was not asked for|as of"
-          + "|(?-i:(?<![Tt]here )(?:is|are) no (?!longer|more))|the (?:rest|rest of the file|last one) counts"
-          + "|put aside|read all the same|may take, about";
+      "anew|for want of|mend|bears?|in vain|seldom|whoever|(?-i:(?<!there )is none)|takes the"
+          + " news|(?:end|result) to come|what came of|alike, too|for one thread|may stand"
+          + " there|argument too many|it is not said|gone after it|is waited|to be had|the leave"
+          + " to|is what is left|it has enough|as it were|beside|behind it|for ever|stands in|was"
+          + " not asked for|as of|(?-i:(?<![Tt]here )(?:is|are) no (?!longer|more))|the"
+          + " (?:rest|rest of the file|last one) counts|put aside|read all the same|may take,"
+          + " about";
 
-  /** May grow. First words of a doc comment. */
+  /** May grow. First words of a doc comment, in Java or Python. */
   private static final String FIRST_WORDS = "Gives|Hears|Says|What";
 
   private static final Pattern WRONG =
-      Pattern.compile("(?i:\\b(" + WORDS + ")\\b)|/\\*\\* (" + FIRST_WORDS + ")\\b");
+      Pattern.compile("(?i:\\b(" + WORDS + ")\\b)|(?:/\\*\\* |\"\"\")(" + FIRST_WORDS + ")\\b");
 
   @Test
   void nobodySaysSo() throws IOException {
@@ -69,9 +70,11 @@ class EnglishTest {
          * none. Returns the result to
          * come.
          */
+        \"""Gives it.\"""
         """;
 
-    assertThat(wrongWords(text)).containsExactly("/** Gives", "is none", "result to come");
+    assertThat(wrongWords(text))
+        .containsExactly("/** Gives", "is none", "result to come", "\"\"\"Gives");
   }
 
   private static List<String> wrongWords(String text) {

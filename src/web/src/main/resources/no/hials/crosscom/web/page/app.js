@@ -12,6 +12,7 @@ const VIEWS = {
   variables: ['Variables', () => import('./view/variables.js')],
   robot: ['3-D', () => import('./view/robot.js')],
   charts: ['Charts', () => import('./view/charts.js')],
+  jog: ['Jog', () => import('./view/jog.js')],
   teach: ['Teach', () => import('./view/teach.js')],
 };
 

@@ -3,7 +3,16 @@
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { call } from './socket.js';
-import { ageOf, chooseRobot, header, isStale, mayOperate, note, useSharedState } from './state.js';
+import {
+  ageOf,
+  chooseRobot,
+  header,
+  isStale,
+  jogging,
+  mayOperate,
+  note,
+  useSharedState,
+} from './state.js';
 
 const MODES = { '#T1': 'T1', '#T2': 'T2', '#AUT': 'AUT', '#EX': 'EXT' };
 const PROGRAM_STATES = {
@@ -158,6 +167,7 @@ export function Header() {
   useTicks(250);
   const one = header();
   const stale = isStale(one);
+  const { owner } = jogging();
   const mode = MODES[one.mode] ?? one.mode ?? '–';
   return h(
     'header',
@@ -181,6 +191,7 @@ export function Header() {
         { name: 'Stop', kind: one.stop === 'TRUE' ? 'bad' : '' },
         one.stop == null ? '–' : one.stop === 'TRUE' ? 'message waits' : 'none',
       ),
+      owner && h(Item, { name: 'Jog', kind: 'warn' }, owner.id === state.who.id ? 'this page' : owner.name),
     ),
     h('div', { class: 'actions' }, h(Lock, { one }), h(Theme)),
   );

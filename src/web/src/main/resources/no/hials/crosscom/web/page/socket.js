@@ -120,6 +120,9 @@ function receive(message) {
     state.headers[message.robot] = message;
     state.clockOffset = message.now - Date.now();
     changed();
+  } else if (message.event === 'jog') {
+    state.jogs[message.robot] = message;
+    changed();
   } else if (message.event === 'samples') {
     watches.get(`${message.robot}/${message.list}`)?.listener(message);
   }

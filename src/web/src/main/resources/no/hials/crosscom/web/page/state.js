@@ -11,6 +11,8 @@ export const state = {
   robot: localStorage.getItem('robot') ?? '',
   /** The last header event of each robot, by its name. */
   headers: {},
+  /** The last jog event of each robot, by its name: who jogs it. */
+  jogs: {},
   /** The time of the server minus that of this computer, in ms. */
   clockOffset: 0,
   /** The player of the recording that is open in all views; null shows the robot. */
@@ -53,6 +55,11 @@ export function serverTime() {
 /** Returns the header of the chosen robot; an empty object before the first one. */
 export function header() {
   return state.headers[state.robot] ?? {};
+}
+
+/** Returns who jogs the chosen robot, and how; an empty object before the first event. */
+export function jogging() {
+  return state.jogs[state.robot] ?? {};
 }
 
 /** Returns how old the values of a header are in ms; infinite if there are none. */

@@ -149,6 +149,30 @@ public final class Browser implements AutoCloseable {
     new Actions(driver).sendKeys(keys).perform();
   }
 
+  /** Puts a finger on the middle of the first element that a CSS selector matches. */
+  public void touch(String selector) {
+    find(selector);
+    @SuppressWarnings("unchecked")
+    Map<String, Object> middle =
+        (Map<String, Object>)
+            run(
+                """
+                const element = document.querySelector(arguments[0]);
+                element.scrollIntoView({ block: 'center' });
+                const box = element.getBoundingClientRect();
+                return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+                """,
+                selector);
+    driver.executeCdpCommand(
+        "Input.dispatchTouchEvent", Map.of("type", "touchStart", "touchPoints", List.of(middle)));
+  }
+
+  /** Lifts the finger. */
+  public void lift() {
+    driver.executeCdpCommand(
+        "Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
+  }
+
   /** Waits for the element of a CSS selector and returns it. */
   public WebElement find(String selector) {
     await("document.querySelector(`" + selector + "`)");

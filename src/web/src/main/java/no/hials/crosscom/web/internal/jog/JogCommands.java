@@ -118,7 +118,6 @@ public final class JogCommands implements AutoCloseable {
     String result = "done";
     try {
       jog.open(call, person(call), space);
-      answer.put("speed", JogSession.fullSpeed(space)).put("turn", JogSession.fullTurn());
     } catch (IOException e) {
       result = String.valueOf(e.getMessage());
       throw e;

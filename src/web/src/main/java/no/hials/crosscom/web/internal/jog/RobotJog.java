@@ -171,6 +171,9 @@ final class RobotJog {
     event.put("open", open == null ? "" : open.space().name().toLowerCase(Locale.ROOT));
     event.put("opening", opening);
     event.put("reason", lastEnd);
+    event.put("full_mm", JogSession.fullSpeed(DriveSpace.BASE));
+    event.put("full_turn", JogSession.fullTurn());
+    event.put("full_axis", JogSession.fullSpeed(DriveSpace.JOINTS));
     return event;
   }
 }

@@ -1,0 +1,61 @@
+// A button that moves the robot while it is held, by a finger, the mouse, Space or Enter.
+
+import { h } from 'preact';
+import { useEffect } from 'preact/hooks';
+import { held, press, release } from './hold.js';
+
+const KEYS = [' ', 'Enter'];
+
+export function JogButton({ name, direction, positive, percent, step, disabled }) {
+  const isOurs = (one) => one.fields.direction === direction && one.fields.positive === positive;
+  const own = held().find(isOurs);
+  const begin = (source) => press(source, { direction, positive, percent, step });
+  const end = () => held().some(isOurs) && release(direction);
+  useEffect(() => end, []);
+  useEffect(() => {
+    if (disabled) {
+      end();
+    }
+  }, [disabled]);
+  const down = (event) => {
+    if (event.button === 0 && !disabled) {
+      event.preventDefault();
+      event.currentTarget.focus();
+      event.currentTarget.setPointerCapture(event.pointerId);
+      begin(event.pointerType || 'mouse');
+    }
+  };
+  const keyDown = (event) => {
+    if (KEYS.includes(event.key)) {
+      event.preventDefault();
+      if (!event.repeat && !disabled) {
+        begin('key');
+      }
+    }
+  };
+  const keyUp = (event) => {
+    if (KEYS.includes(event.key)) {
+      event.preventDefault();
+      end();
+    }
+  };
+  return h(
+    'button',
+    {
+      type: 'button',
+      class: `hold ${own ? 'held' : ''} ${own?.moving ? 'moving' : ''}`,
+      'aria-label': `Hold to move ${name} ${positive ? 'plus' : 'minus'}`,
+      'aria-pressed': String(Boolean(own)),
+      'aria-disabled': String(disabled),
+      onPointerDown: down,
+      onPointerUp: end,
+      onPointerCancel: end,
+      onLostPointerCapture: end,
+      onKeyDown: keyDown,
+      onKeyUp: keyUp,
+      onBlur: end,
+      onContextMenu: (event) => event.preventDefault(),
+    },
+    positive ? '+' : '−',
+  );
+}

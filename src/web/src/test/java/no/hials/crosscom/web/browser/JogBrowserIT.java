@@ -1,0 +1,146 @@
+package no.hials.crosscom.web.browser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.net.URI;
+import java.nio.file.Path;
+import java.time.Duration;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.TestPages;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.Keys;
+
+/** Jogging with a finger on a phone, and without a mouse. */
+@ExtendWith(WithBrowser.class)
+class JogBrowserIT {
+  private static final String PLUS = "[aria-label='Hold to move X plus']";
+  private static final String MOVING = "document.querySelector('.jog .state.moving')";
+  private static final String STANDING = "document.querySelector('.jog .state.ready')";
+
+  @TempDir private Path folder;
+  private TestPages pages;
+
+  @BeforeEach
+  void start() throws Exception {
+    pages =
+        TestPages.start(
+            ServerType.C3_BRIDGE, folder, cfg -> cfg.jogMaxDelay(Duration.ofSeconds(2)));
+  }
+
+  @AfterEach
+  void stop() throws Exception {
+    pages.close();
+  }
+
+  /** Opens the view, unlocks the robot, prepares it and starts jogging. */
+  private void open(Browser browser, Browser.Size size) {
+    browser.size(size);
+    browser.open(URI.create(pages.web().link(Role.JOG)));
+    browser.open(pages.at("/?view=jog#/jog"));
+    browser.await("document.querySelector('.top:not(.stale)')");
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock.open')");
+    browser.await("document.querySelector('.jog .state button:nth-child(2):not(:disabled)')");
+    browser.click(".jog .state button:nth-child(2)");
+    browser.await(STANDING);
+  }
+
+  private double x() {
+    String text = pages.controller().variables().get("$POS_ACT");
+    return Double.parseDouble(text.replaceFirst(".*X (-?[0-9.]+).*", "$1"));
+  }
+
+  private boolean stands() {
+    return pages.controller().variables().get("MYPOS").contains("X 0.0");
+  }
+
+  /** Holds the button; again, if this computer has paused for 150 ms, which ends a hold. */
+  private static void holdUntilItMoves(Browser browser) {
+    for (int i = 0; i < 10; i++) {
+      browser.touch(PLUS);
+      browser.run("window.touched = performance.now()");
+      browser.await(MOVING + " || performance.now() > window.touched + 2000");
+      if (Boolean.TRUE.equals(browser.run("return !!" + MOVING))) {
+        return;
+      }
+      browser.lift();
+    }
+    throw new AssertionError("the robot does not move");
+  }
+
+  @Test
+  void theRobotMovesWhileAFingerIsDown(Browser browser) throws Exception {
+    open(browser, Browser.Size.SMALL_PHONE);
+    double begin = x();
+    assertThat(browser.text(".jog .warning"))
+        .isEqualTo("Not an enabling device, not an emergency stop.");
+    assertThat(browser.barriers()).isEmpty();
+    assertThat(browser.smallTargets()).isEmpty();
+    assertThat(browser.overflow()).isNotPositive();
+
+    holdUntilItMoves(browser);
+    browser.picture("jog-moving");
+    assertThat(browser.text(".jog .status")).isEqualTo("Moving");
+    browser.lift();
+
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+    assertThat(x()).isGreaterThan(begin);
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void aPageThatIsCutOffStopsTheRobotAndSaysSo(Browser browser) {
+    open(browser, Browser.Size.PHONE);
+    holdUntilItMoves(browser);
+
+    browser.run("WebSocket.prototype.send = () => {}"); // as a network that forwards nothing
+
+    browser.await("document.querySelector('.note.error')?.textContent.includes('300 ms')");
+    browser.await("!" + MOVING);
+    assertThat(stands()).isTrue();
+  }
+
+  @Test
+  void aHiddenOrBlurredPageReleases(Browser browser) {
+    open(browser, Browser.Size.PHONE);
+    holdUntilItMoves(browser);
+
+    browser.run("dispatchEvent(new Event('blur'))");
+
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+  }
+
+  @Test
+  void leavingTheViewGivesUpTheRobot(Browser browser) {
+    open(browser, Browser.Size.PHONE);
+    holdUntilItMoves(browser);
+
+    browser.run("location.hash = '#/variables'");
+
+    browser.await(
+        "![...document.querySelectorAll('.item .name')].some((it) => it.textContent === 'Jog')");
+    assertThat(stands()).isTrue();
+  }
+
+  @Test
+  void aKeyMovesTheRobotUntilTheNextButton(Browser browser) {
+    open(browser, Browser.Size.DESKTOP);
+    browser.run("document.querySelector(arguments[0]).focus()", PLUS);
+    browser.run(
+        "document.activeElement.dispatchEvent("
+            + "new KeyboardEvent('keydown', { key: ' ', bubbles: true }))");
+    browser.await(MOVING);
+
+    browser.press(Keys.TAB); // the release of the key is not seen by the button
+
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+  }
+}

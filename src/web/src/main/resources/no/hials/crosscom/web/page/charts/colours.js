@@ -30,6 +30,7 @@ export function useColours(listener) {
       known.clear();
       listener();
     };
+    known.clear(); // the colours may have changed in another view
     const observer = new MutationObserver(again);
     observer.observe(document.documentElement, { attributeFilter: ['data-theme'] });
     dark.addEventListener('change', again);

@@ -2,20 +2,21 @@
 
 import uPlot from 'uplot';
 import { colour } from './colours.js';
+import { Place } from './place.js';
 import { rowAt } from './tracks.js';
 import { withRoom } from './time-panel.js';
 
 const NEAREST = 0.5; // pixels between two points of a line
 
-/** Returns the coordinates of a path between two times, and where the robot is at its end. */
-function coordinates(source, leaves, from, to) {
+/** Returns the coordinates of a path between two times, and the row of a time or of the end. */
+function coordinates(source, leaves, from, to, mark) {
   const tracks = leaves.map((leaf) => source.track(leaf));
   if (tracks.some((track) => !track)) {
     return null;
   }
   const [track] = tracks;
   const first = Math.max(track.first, rowAt(track, from) + 1);
-  return { tracks, first, end: rowAt(track, to) + 1, at: rowAt(track, to) };
+  return { tracks, first, end: rowAt(track, to) + 1, at: rowAt(track, mark ?? to) };
 }
 
 /** Returns the least and the greatest number of some rows; null without one. */
@@ -62,13 +63,11 @@ export class PlanePath {
       [null, [[], []]],
       element,
     );
-    this.resized = new ResizeObserver(() => {
-      const { width, height } = this.size();
-      if (width > 0 && (width !== this.plot.width || height !== this.plot.height)) {
+    this.place = new Place(element, (width, height) => {
+      if (width !== this.plot.width || height !== this.plot.height) {
         this.plot.setSize({ width, height });
       }
     });
-    this.resized.observe(element);
   }
 
   size() {
@@ -136,8 +135,8 @@ export class PlanePath {
     ctx.restore();
   }
 
-  draw(source, from, to) {
-    this.shown = coordinates(source, this.leaves, from, to);
+  draw(source, from, to, mark) {
+    this.shown = coordinates(source, this.leaves, from, to, mark);
     this.plot.batch(() => {
       this.plot.setScale('x', { min: 0, max: 1 }); // the ranges above replace these
       this.plot.setScale('y', { min: 0, max: 1 });
@@ -150,7 +149,7 @@ export class PlanePath {
   }
 
   dispose() {
-    this.resized.disconnect();
+    this.place.dispose();
     this.plot.destroy();
   }
 }
@@ -199,24 +198,19 @@ export class SpacePath {
     this.scene.add(this.line, this.point, this.box, this.axes);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.addEventListener('change', () => this.render());
-    this.resized = new ResizeObserver(() => this.resize());
-    this.resized.observe(element);
-    this.resize();
+    this.place = new Place(element, (width, height) => this.resize(width, height));
     this.redraw();
   }
 
-  resize() {
-    const { clientWidth, clientHeight } = this.element;
-    if (clientWidth > 0 && clientHeight > 0) {
-      this.renderer.setSize(clientWidth, clientHeight, false);
-      this.camera.aspect = clientWidth / clientHeight;
-      this.camera.updateProjectionMatrix();
-      this.render();
-    }
+  resize(width, height) {
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this.render();
   }
 
-  draw(source, from, to) {
-    const shown = coordinates(source, this.leaves, from, to);
+  draw(source, from, to, mark) {
+    const shown = coordinates(source, this.leaves, from, to, mark);
     this.line.visible = this.point.visible = false;
     if (shown) {
       const { tracks, first, end, at } = shown;
@@ -283,7 +277,7 @@ export class SpacePath {
   }
 
   dispose() {
-    this.resized.disconnect();
+    this.place.dispose();
     this.controls.dispose();
     this.scene.traverse((it) => {
       it.geometry?.dispose();

@@ -2,6 +2,7 @@
 
 import uPlot from 'uplot';
 import { colour } from './colours.js';
+import { Place } from './place.js';
 import { slots } from './tracks.js';
 
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
@@ -50,7 +51,7 @@ export class TimePanel {
       {
         ...this.size(),
         legend: { show: false },
-        padding: [8, 12, 0, 0],
+        padding: [8, 34, 0, 0],
         scales: {
           x: { time: false, auto: false },
           y: { range: (plot, least, greatest) => withRoom(least, greatest) },
@@ -58,6 +59,7 @@ export class TimePanel {
         axes: [
           {
             ...axis,
+            size: 32,
             incrs: STEPS,
             space: isLive ? 76 : 56,
             values: (plot, times) => {
@@ -94,18 +96,12 @@ export class TimePanel {
     );
     this.plot.over.addEventListener('wheel', (event) => this.wheeled(event), { passive: false });
     this.plot.over.addEventListener('click', (event) => this.clicked(event));
-    this.resized = new ResizeObserver(() => {
-      const { width, height } = this.size();
-      if (width > 0 && (width !== this.plot.width || height !== this.plot.height)) {
+    this.plot.over.addEventListener('mouseleave', () => events.point(null));
+    this.place = new Place(element, (width, height) => {
+      if (width !== this.plot.width || height !== this.plot.height) {
         this.plot.setSize({ width, height });
       }
     });
-    this.resized.observe(element);
-    this.isVisible = true;
-    this.watched = new IntersectionObserver(([entry]) => {
-      this.isVisible = entry.isIntersecting;
-    });
-    this.watched.observe(element);
   }
 
   size() {
@@ -176,8 +172,7 @@ export class TimePanel {
   }
 
   dispose() {
-    this.watched.disconnect();
-    this.resized.disconnect();
+    this.place.dispose();
     this.plot.destroy();
   }
 }

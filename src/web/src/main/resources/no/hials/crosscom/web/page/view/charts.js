@@ -21,6 +21,9 @@ const TEXT_PERIOD = 200;
 const SHORTEST = 0.02; // s
 const SHARE = 0.02; // of the window: a step of the cursor by the keys
 
+/** The readings of each robot, which stay while another view is shown. */
+const kept = new Map();
+
 function stored() {
   try {
     const { names, shown, span, period, path } = JSON.parse(
@@ -38,12 +41,15 @@ function stored() {
   }
 }
 
-/** Returns the settings, which this browser keeps, and a function that replaces some of them. */
+/**
+ * Returns the settings, which this browser keeps, and a function that replaces some of them: by
+ * fields, or by a function from the settings to fields.
+ */
 function useSettings() {
   const [settings, setSettings] = useState(stored);
   const change = (fields) =>
     setSettings((old) => {
-      const next = { ...old, ...fields };
+      const next = { ...old, ...(typeof fields === 'function' ? fields(old) : fields) };
       localStorage.setItem(`charts/${state.robot}`, JSON.stringify(next));
       return next;
     });
@@ -94,7 +100,6 @@ function pathsOf(leaves) {
 
 /** What is drawn, apart from the components: the source, the window, the cursor and the panels. */
 class Picture {
-  tracks = new Tracks();
   frozen = null;
   zoomed = null;
   cursor = null;
@@ -103,6 +108,8 @@ class Picture {
 
   constructor(changed) {
     this.changed = changed;
+    this.tracks = kept.get(state.robot) ?? new Tracks();
+    kept.set(state.robot, this.tracks);
     this.span = DEFAULT.span;
   }
 
@@ -194,7 +201,7 @@ class Picture {
     const mark = this.player ? this.player.time : null;
     for (const panel of this.waiting) {
       this.waiting.delete(panel);
-      if (panel.isVisible !== false) {
+      if (panel.place.isVisible) {
         panel.draw(this.source, from, to, mark);
         if (performance.now() - start > SHORT) {
           break;
@@ -363,7 +370,11 @@ function number(value) {
   if (Number.isNaN(value)) {
     return '–';
   }
-  return Number.isInteger(value) ? String(value) : value.toFixed(Math.abs(value) < 10 ? 4 : 2);
+  if (Number.isInteger(value)) {
+    return String(value);
+  }
+  const digits = Math.abs(value) < 10 ? 4 : 2;
+  return (Number(value.toFixed(digits)) + 0).toFixed(digits); // without -0
 }
 
 function Line({ picture, leaf, title, unit, line, onShow }) {
@@ -487,7 +498,15 @@ function Tools({ picture, settings, onChange, bases }) {
       { class: 'zoom', role: 'group', 'aria-label': 'Zoom' },
       h('button', { 'aria-label': 'Zoom in', onClick: () => picture.zoomBy(0.5) }, '+'),
       h('button', { 'aria-label': 'Zoom out', onClick: () => picture.zoomBy(2) }, '−'),
-      h('button', { disabled: !picture.zoomed, onClick: () => picture.reset() }, 'Reset zoom'),
+      h(
+        'button',
+        {
+          'aria-label': 'Reset the zoom',
+          disabled: !picture.zoomed,
+          onClick: () => picture.reset(),
+        },
+        'Reset',
+      ),
     ),
   );
 }
@@ -498,7 +517,7 @@ export function View() {
   const picture = usePicture(settings);
   const { player } = picture;
   const names = player ? player.recording.names : settings.names;
-  const leaves = names.flatMap((name) => picture.source.leaves(name));
+  const leaves = [...new Set(names.flatMap((name) => picture.source.leaves(name)))];
   const asked = useUnits(player ? [] : leaves);
   const units = player ? player.recording.units : asked;
   // a recording may have more for the 3-D view than what was chosen
@@ -557,7 +576,7 @@ export function View() {
         panels,
         isFirst,
         stale,
-        onShow: (leaf, value) => change({ shown: { ...settings.shown, [leaf]: value } }),
+        onShow: (leaf, value) => change((old) => ({ shown: { ...old.shown, [leaf]: value } })),
         onRemove: player ? null : (name) => change({ names: settings.names.filter((it) => it !== name) }),
       }),
       !player &&

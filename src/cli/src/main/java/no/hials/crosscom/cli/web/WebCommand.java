@@ -34,7 +34,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "web",
     description = {
-      "Shows robots on a web page until Ctrl-C: variables, the robot in 3-D, and jogging.",
+      "Shows robots on a web page until Ctrl-C: variables, the robot in 3-D, jogging and charts.",
       "The first line of stdout is the link to open, which works once."
     },
     footer = {

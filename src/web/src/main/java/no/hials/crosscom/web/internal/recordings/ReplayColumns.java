@@ -45,7 +45,7 @@ final class ReplayColumns {
   /**
    * Reads a file in CSV or JSON Lines.
    *
-   * @throws IOException if it cannot be read, or is no recording of one robot
+   * @throws IOException if it cannot be read, or is not the recording of one robot
    */
   static ReplayColumns read(Path file) throws IOException {
     return file.toString().endsWith(RecordingFiles.JSON_LINES) ? readLines(file) : readCsv(file);

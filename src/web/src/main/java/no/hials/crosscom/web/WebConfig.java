@@ -15,6 +15,8 @@ public final class WebConfig {
   private final List<Robot> robots;
   private final RobotConnection.Opener opener;
   private final Path folder;
+  private final PageAddress address;
+  private final @Nullable ServerCertificate certificate;
   private final int port;
   private final boolean readOnly;
   private final boolean jogInAuto;
@@ -25,6 +27,8 @@ public final class WebConfig {
     robots = List.copyOf(builder.robots);
     opener = builder.opener;
     folder = Objects.requireNonNull(builder.folder, "folder");
+    address = builder.address;
+    certificate = builder.certificate;
     port = builder.port;
     readOnly = builder.readOnly;
     jogInAuto = builder.jogInAuto;
@@ -32,6 +36,10 @@ public final class WebConfig {
     shapes = builder.shapes;
     if (robots.isEmpty()) {
       throw new IllegalArgumentException("name at least one robot");
+    }
+    if (!address.isLoopback() && certificate == null) {
+      throw new IllegalArgumentException(
+          "other computers reach " + address.names().get(0) + ": the page needs a certificate");
     }
   }
 
@@ -62,7 +70,17 @@ public final class WebConfig {
     return folder;
   }
 
-  /** Returns the port on the loopback address; 0 for a free one. */
+  /** Returns the address of the page. */
+  public PageAddress address() {
+    return address;
+  }
+
+  /** Returns the certificate for TLS; empty for a page without TLS. */
+  public Optional<ServerCertificate> certificate() {
+    return Optional.ofNullable(certificate);
+  }
+
+  /** Returns the port of the page; 0 for a free one. */
   public int port() {
     return port;
   }
@@ -92,6 +110,8 @@ public final class WebConfig {
     private List<Robot> robots = List.of();
     private RobotConnection.Opener opener = RobotConnection::openLazily;
     private @Nullable Path folder;
+    private PageAddress address = PageAddress.loopback();
+    private @Nullable ServerCertificate certificate;
     private int port = 8080;
     private boolean readOnly;
     private boolean jogInAuto;
@@ -126,7 +146,26 @@ public final class WebConfig {
       return this;
     }
 
-    /** Sets the port on the loopback address, 0 for a free one. The default is 8080. */
+    /**
+     * Sets the address of the page. The default is the loopback address; any other one needs a
+     * certificate.
+     */
+    public Builder address(PageAddress value) {
+      address = Objects.requireNonNull(value, "address");
+      return this;
+    }
+
+    /**
+     * Sets the certificate for TLS.
+     *
+     * @param value the certificate; null, which is the default, for a page without TLS
+     */
+    public Builder certificate(@Nullable ServerCertificate value) {
+      certificate = value;
+      return this;
+    }
+
+    /** Sets the port of the page, 0 for a free one. The default is 8080. */
     public Builder port(int value) {
       if (value < 0 || value > 65_535) {
         throw new IllegalArgumentException("port must be 0 to 65535, is " + value);

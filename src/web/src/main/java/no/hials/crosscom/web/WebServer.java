@@ -1,11 +1,13 @@
 package no.hials.crosscom.web;
 
 import java.io.IOException;
-import java.net.InetAddress;
+import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.web.internal.access.AccessCommands;
 import no.hials.crosscom.web.internal.audit.AuditCommands;
 import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.http.HostCheck;
 import no.hials.crosscom.web.internal.http.PageHandler;
 import no.hials.crosscom.web.internal.http.Tokens;
 import no.hials.crosscom.web.internal.jog.JogCommands;
@@ -18,48 +20,77 @@ import no.hials.crosscom.web.internal.socket.Sockets;
 import no.hials.crosscom.web.internal.teach.TeachCommands;
 import no.hials.crosscom.web.internal.variables.VariableCommands;
 import no.hials.crosscom.web.internal.variables.WatchListCommands;
+import org.eclipse.jetty.server.ConnectionFactory;
 import org.eclipse.jetty.server.HttpConfiguration;
 import org.eclipse.jetty.server.HttpConnectionFactory;
+import org.eclipse.jetty.server.SecureRequestCustomizer;
 import org.eclipse.jetty.server.Server;
 import org.eclipse.jetty.server.ServerConnector;
+import org.eclipse.jetty.server.SslConnectionFactory;
+import org.eclipse.jetty.util.ssl.SslContextFactory;
 import org.eclipse.jetty.util.thread.QueuedThreadPool;
 
 /**
- * Serves the web page of some robots on the loopback address. It has one connection to each robot,
- * however many pages are open.
+ * Serves the web page of some robots, on the loopback address or with TLS. It has one connection to
+ * each robot, however many pages are open.
  */
 public final class WebServer implements AutoCloseable {
   private static final int MOST_THREADS = 32;
   private static final int MOST_HEADER_BYTES = 8 * 1024;
   private static final long IDLE_MILLIS = 30_000;
 
+  /** Of a key store in memory, which nobody else reads. */
+  private static final String PASSWORD = "in memory";
+
+  private final PageAddress address;
+  private final boolean secure;
   private final Server server;
   private final ServerConnector connector;
-  private final Tokens tokens = new Tokens();
+  private final Tokens tokens;
 
   /** The resources that are closed with the server, the last one first. */
   private final List<AutoCloseable> parts = new ArrayList<>();
 
-  private WebServer(WebConfig config) throws IOException {
+  private WebServer(WebConfig config, Clock clock) throws IOException {
     QueuedThreadPool threads = new QueuedThreadPool(MOST_THREADS);
     threads.setName("web");
     threads.setDaemon(true);
     server = new Server(threads);
-    connector = connector(config.port());
+    address = config.address();
+    tokens = new Tokens(clock);
+    secure = config.certificate().isPresent();
+    connector = connector(config);
     server.addConnector(connector);
     connector.open(); // before the robots are asked, since another program may have the port
     parts.add(server::stop);
   }
 
-  private ServerConnector connector(int port) {
+  private ServerConnector connector(WebConfig config) {
     HttpConfiguration http = new HttpConfiguration();
     http.setSendServerVersion(false);
     http.setRequestHeaderSize(MOST_HEADER_BYTES);
-    ServerConnector result = new ServerConnector(server, 1, 1, new HttpConnectionFactory(http));
-    result.setHost(InetAddress.getLoopbackAddress().getHostAddress());
-    result.setPort(port);
+    ServerConnector result =
+        config
+            .certificate()
+            .map(it -> new ServerConnector(server, 1, 1, tls(it, http)))
+            .orElseGet(() -> new ServerConnector(server, 1, 1, new HttpConnectionFactory(http)));
+    result.setHost(config.address().address().getHostAddress());
+    result.setPort(config.port());
     result.setIdleTimeout(IDLE_MILLIS);
     return result;
+  }
+
+  /** Returns the protocols of a server with a certificate, the first one first. */
+  private static ConnectionFactory[] tls(ServerCertificate certificate, HttpConfiguration http) {
+    SslContextFactory.Server context = new SslContextFactory.Server();
+    context.setKeyStore(certificate.keyStore(PASSWORD.toCharArray()));
+    context.setKeyStorePassword(PASSWORD);
+    context.setIncludeProtocols("TLSv1.3", "TLSv1.2");
+    context.setRenegotiationAllowed(false);
+    // HostCheck compares the names: a certificate that lacks one is for the browser to judge
+    http.addCustomizer(new SecureRequestCustomizer(false));
+    HttpConnectionFactory inner = new HttpConnectionFactory(http);
+    return new ConnectionFactory[] {new SslConnectionFactory(context, inner.getProtocol()), inner};
   }
 
   /**
@@ -68,7 +99,12 @@ public final class WebServer implements AutoCloseable {
    * @throws IOException if the port is in use, or a simulated robot cannot be started
    */
   public static WebServer start(WebConfig config) throws IOException {
-    WebServer server = new WebServer(config);
+    return start(config, Clock.systemUTC());
+  }
+
+  /** Starts the server with a clock for the ends of links. */
+  static WebServer start(WebConfig config, Clock clock) throws IOException {
+    WebServer server = new WebServer(config, clock);
     try {
       server.run(config);
       return server;
@@ -88,10 +124,14 @@ public final class WebServer implements AutoCloseable {
     Commands commands = new Commands();
     Sockets sockets = new Sockets(server, commands);
     parts.add(sockets);
-    PageHandler pages = new PageHandler(tokens);
+    PageHandler pages = new PageHandler(tokens, new HostCheck(address.names()));
     pages.add("/socket", sockets);
     server.setHandler(pages);
     sockets.atOpen(robots::show);
+    String fingerprint = config.certificate().map(ServerCertificate::fingerprint).orElse("");
+    List<String> origins = address.names().stream().map(this::origin).toList();
+    new AccessCommands(tokens, sockets, audit, origins, address.isLoopback(), fingerprint)
+        .addTo(commands);
     // a feature adds its commands here
     robots.addTo(commands);
     new AuditCommands(audit, sockets).addTo(commands);
@@ -114,14 +154,23 @@ public final class WebServer implements AutoCloseable {
     server.start();
   }
 
-  /** Returns the port on the loopback address. */
+  /** Returns the port of the page. */
   public int port() {
     return connector.getLocalPort();
   }
 
   /** Returns a new link, which lets one browser in. */
   public String link(Role role) {
-    return "http://" + connector.getHost() + ":" + port() + "/?token=" + tokens.newLink(role);
+    return origin() + "/?token=" + tokens.newLink(role);
+  }
+
+  /** Returns the origin of the page, as browsers call it. */
+  String origin() {
+    return origin(address.names().get(0));
+  }
+
+  private String origin(String name) {
+    return (secure ? "https://" : "http://") + name + ":" + port();
   }
 
   @Override

@@ -6,10 +6,15 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.time.Clock;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.TrustManagerFactory;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.mock.MockServer;
@@ -19,8 +24,8 @@ import no.hials.crosscom.protocol.ServerType;
 /** A web server with one simulated robot called {@code mock}, and browsers without a screen. */
 public final class TestPages implements AutoCloseable {
   private static final Pattern TOKEN = Pattern.compile("socket-token\" content=\"([^\"]+)\"");
-  private static final HttpClient HTTP = HttpClient.newHttpClient();
 
+  private final HttpClient http;
   private final WebServer web;
   private final boolean simulated;
   private MockServer controller;
@@ -30,28 +35,48 @@ public final class TestPages implements AutoCloseable {
       ServerType type,
       Path folder,
       Consumer<MockServerConfig.Builder> more,
-      Consumer<WebConfig.Builder> settings)
+      Consumer<WebConfig.Builder> settings,
+      Clock clock)
       throws IOException {
     this.simulated = simulated;
     Robot robot = new Robot("mock", null, 0, null, null, type, null);
-    web =
-        WebServer.start(
-            WebConfig.create(
-                cfg ->
-                    settings.accept(
-                        cfg.robots(List.of(robot))
-                            .port(0)
-                            .folder(folder)
-                            .opener(
-                                (one, client) -> {
-                                  controller = MockServer.start(it -> more.accept(it.server(type)));
-                                  return new RobotConnection(
-                                      one,
-                                      RobotConnection.open(
-                                              one.at(controller.host(), controller.port()), client)
-                                          .client(),
-                                      simulated ? controller : null);
-                                }))));
+    WebConfig config =
+        WebConfig.create(
+            cfg ->
+                settings.accept(
+                    cfg.robots(List.of(robot))
+                        .port(0)
+                        .folder(folder)
+                        .opener(
+                            (one, client) -> {
+                              controller = MockServer.start(it -> more.accept(it.server(type)));
+                              return new RobotConnection(
+                                  one,
+                                  RobotConnection.open(
+                                          one.at(controller.host(), controller.port()), client)
+                                      .client(),
+                                  simulated ? controller : null);
+                            })));
+    http = config.certificate().map(TestPages::trusting).orElseGet(HttpClient::newHttpClient);
+    web = WebServer.start(config, clock);
+  }
+
+  /** Returns a client that trusts one certificate only. */
+  private static HttpClient trusting(ServerCertificate certificate) {
+    try {
+      KeyStore trusted = KeyStore.getInstance("PKCS12");
+      trusted.load(null, null);
+      char[] password = {};
+      trusted.setCertificateEntry("page", certificate.keyStore(password).getCertificate("page"));
+      TrustManagerFactory managers =
+          TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+      managers.init(trusted);
+      SSLContext context = SSLContext.getInstance("TLS");
+      context.init(null, managers.getTrustManagers(), null);
+      return HttpClient.newBuilder().sslContext(context).build();
+    } catch (GeneralSecurityException | IOException e) {
+      throw new AssertionError(e);
+    }
   }
 
   /** Starts a server with a robot on C3 Bridge. */
@@ -62,7 +87,7 @@ public final class TestPages implements AutoCloseable {
   /** Starts a server with a robot. */
   public static TestPages start(ServerType type, Path folder, Consumer<WebConfig.Builder> settings)
       throws IOException {
-    return new TestPages(true, type, folder, cfg -> {}, settings);
+    return new TestPages(true, type, folder, cfg -> {}, settings, Clock.systemUTC());
   }
 
   /**
@@ -70,7 +95,12 @@ public final class TestPages implements AutoCloseable {
    */
   public static TestPages startRemote(
       ServerType type, Path folder, Consumer<WebConfig.Builder> settings) throws IOException {
-    return new TestPages(false, type, folder, cfg -> {}, settings);
+    return new TestPages(false, type, folder, cfg -> {}, settings, Clock.systemUTC());
+  }
+
+  /** Starts a server with a robot on C3 Bridge, and a clock for the ends of links. */
+  public static TestPages start(Path folder, Clock clock) throws IOException {
+    return new TestPages(true, ServerType.C3_BRIDGE, folder, cfg -> {}, cfg -> {}, clock);
   }
 
   /** Returns the simulated controller. */
@@ -85,7 +115,7 @@ public final class TestPages implements AutoCloseable {
 
   /** Returns the address of a path. */
   public URI at(String path) {
-    return URI.create("http://127.0.0.1:" + web.port() + path);
+    return URI.create(origin() + path);
   }
 
   /** Sends a request with headers, each a name and a value. */
@@ -95,7 +125,7 @@ public final class TestPages implements AutoCloseable {
     if (headers.length > 0) {
       request.headers(headers);
     }
-    return HTTP.send(request.build(), HttpResponse.BodyHandlers.ofString());
+    return http.send(request.build(), HttpResponse.BodyHandlers.ofString());
   }
 
   /** Returns the cookie of a new browser that came by a link. */
@@ -121,12 +151,12 @@ public final class TestPages implements AutoCloseable {
 
   /** Opens the socket of a new page in a browser. */
   public TestSocket open(String cookie) throws IOException, InterruptedException {
-    return TestSocket.open(web.port(), cookie, pageToken(cookie), origin());
+    return TestSocket.open(http, origin(), cookie, pageToken(cookie), origin());
   }
 
   /** Returns the origin of our own page. */
   public String origin() {
-    return "http://127.0.0.1:" + web.port();
+    return web.origin();
   }
 
   @Override

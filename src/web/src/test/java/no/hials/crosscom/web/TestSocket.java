@@ -38,8 +38,20 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
    */
   public static TestSocket open(int port, String cookie, String page, String origin)
       throws IOException {
+    return open(HTTP, "http://127.0.0.1:" + port, cookie, page, origin);
+  }
+
+  /**
+   * Opens a socket.
+   *
+   * @param server the address of the server, such as {@code http://127.0.0.1:8080}
+   * @param origin the address of the page that opens it
+   * @throws IOException if the server refuses it
+   */
+  static TestSocket open(HttpClient http, String server, String cookie, String page, String origin)
+      throws IOException {
     TestSocket opened = new TestSocket();
-    WebSocket.Builder builder = HTTP.newWebSocketBuilder();
+    WebSocket.Builder builder = http.newWebSocketBuilder();
     if (!cookie.isEmpty()) {
       builder.header("Cookie", cookie);
     }
@@ -49,7 +61,8 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
     try {
       opened.socket =
           builder
-              .buildAsync(URI.create("ws://127.0.0.1:" + port + "/socket?page=" + page), opened)
+              .buildAsync(
+                  URI.create(server.replaceFirst("http", "ws") + "/socket?page=" + page), opened)
               .join();
       return opened;
     } catch (CompletionException e) {

@@ -2,13 +2,16 @@ package no.hials.crosscom.cli.web;
 
 import java.io.IOException;
 import java.net.BindException;
+import java.net.UnknownHostException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Profiles;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
@@ -23,7 +26,10 @@ import no.hials.crosscom.cli.base.StopSignal;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.simulator.Archive;
 import no.hials.crosscom.simulator.LoadingMode;
+import no.hials.crosscom.web.OwnCertificate;
+import no.hials.crosscom.web.PageAddress;
 import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.ServerCertificate;
 import no.hials.crosscom.web.WebConfig;
 import no.hials.crosscom.web.WebServer;
 import org.jspecify.annotations.Nullable;
@@ -39,9 +45,11 @@ import picocli.CommandLine.Option;
     },
     footer = {
       "",
-      "The page is on the loopback address: only browsers on this computer reach it. A robot is"
-          + " read-only until somebody unlocks it on the page, and always with --read-only. Every"
-          + " change is a line of audit.jsonl in the folder of --data.",
+      "Without --host the page is on the loopback address: only browsers on this computer reach it."
+          + " A browser elsewhere, such as a phone, needs --host with TLS, and a link that the page"
+          + " makes (\"Let somebody in\"). A robot is read-only until somebody unlocks it on the"
+          + " page, and always with --read-only. Every change is a line of audit.jsonl in the"
+          + " folder of --data.",
       "",
       "Jogging on the page moves a machine. It is not an enabling device and not an emergency stop:"
           + " see docs/how-to/jog-the-robot.md.",
@@ -51,7 +59,8 @@ import picocli.CommandLine.Option;
       "Examples:",
       "  jopenshowvar web --mock --open",
       "  jopenshowvar web @cell1 @cell2 --read-only",
-      "  jopenshowvar web --mock --archive cell.zip --port 0"
+      "  jopenshowvar web --mock --archive cell.zip --port 0",
+      "  jopenshowvar web @cell1 --host 192.168.1.20 --tls"
     })
 public final class WebCommand extends ConsoleCommand {
   private static final int PORT = 8080;
@@ -111,11 +120,55 @@ public final class WebCommand extends ConsoleCommand {
   private int port = PORT;
 
   @Option(
+      names = "--host",
+      paramLabel = "ADDRESS",
+      description =
+          "Address to listen on, or a name of it; 0.0.0.0 for all addresses of this computer. Can"
+              + " be repeated: the others are names of this computer by which browsers may call"
+              + " it. Default: the loopback address. Any other one needs TLS.")
+  private List<String> hosts = new ArrayList<>();
+
+  @Option(
+      names = "--tls",
+      description =
+          "Use TLS with a certificate that is made at the first time, and print its fingerprint to"
+              + " stderr.")
+  private boolean tls;
+
+  @Option(
+      names = "--tls-cert",
+      paramLabel = "FILE",
+      description =
+          "Use TLS with this certificate: a file in PEM format, those of its issuers after it.")
+  private @Nullable Path certificate;
+
+  @Option(
+      names = "--tls-key",
+      paramLabel = "FILE",
+      description =
+          "The private key of --tls-cert: a file in PEM format (PKCS #8). Default: the same file.")
+  private @Nullable Path key;
+
+  @Option(
+      names = "--keystore",
+      paramLabel = "FILE",
+      description = "Use TLS with the certificate and key of this PKCS #12 or JKS file.")
+  private @Nullable Path keyStore;
+
+  @Option(
+      names = "--tls-password-file",
+      paramLabel = "FILE",
+      description =
+          "File with the password of --tls-key or --keystore. Default:"
+              + " JOPENSHOWVAR_TLS_PASSWORD.")
+  private @Nullable Path passwordFile;
+
+  @Option(
       names = "--data",
       paramLabel = "FOLDER",
       description =
-          "Folder for watch lists, recordings and the audit log. Default: the folder web next to"
-              + " the configuration file.")
+          "Folder for watch lists, recordings, the audit log and the certificate of --tls. Default:"
+              + " the folder web next to the configuration file.")
   private @Nullable Path data;
 
   @Option(
@@ -174,15 +227,19 @@ public final class WebCommand extends ConsoleCommand {
     if (jogMaxDelay.compareTo(LONGEST_DELAY) > 0 || jogMaxDelay.toMillis() < 1) {
       throw wrongUsage("--jog-max-delay must be 1ms to 2s, is " + jogMaxDelay.toMillis() + "ms");
     }
+    PageAddress address = address();
     LoadedFiles loaded = new LoadedFiles(false);
     Archive opened = archive == null ? null : LoadedFiles.open(List.of(archive));
     Path folder = data == null ? Profiles.path(console()::environment).resolveSibling("web") : data;
+    ServerCertificate chosen = certificate(folder, address);
     WebConfig config =
         WebConfig.create(
             cfg ->
                 cfg.robots(named(targets))
                     .opener((robot, settings) -> connect(robot, settings, opened, loaded.mode()))
                     .folder(folder)
+                    .address(address)
+                    .certificate(chosen)
                     .port(port)
                     .shapes(shapes)
                     .readOnly(readOnly)
@@ -197,6 +254,72 @@ public final class WebCommand extends ConsoleCommand {
       }
       stop.await();
       return ExitCode.DONE;
+    }
+  }
+
+  private PageAddress address() {
+    PageAddress address;
+    try {
+      address = PageAddress.of(hosts);
+    } catch (UnknownHostException e) {
+      throw wrongUsage("--host: there is no address of " + hosts.get(0));
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage("--host: " + e.getMessage());
+    }
+    if (Stream.of(tls, certificate != null, keyStore != null).filter(it -> it).count() > 1) {
+      throw wrongUsage("--tls, --tls-cert and --keystore exclude each other");
+    }
+    if (key != null && certificate == null) {
+      throw wrongUsage("--tls-key goes with --tls-cert");
+    }
+    if (passwordFile != null && certificate == null && keyStore == null) {
+      throw wrongUsage("--tls-password-file goes with --tls-cert or --keystore");
+    }
+    if (!address.isLoopback() && !tls && certificate == null && keyStore == null) {
+      throw wrongUsage(
+          "--host "
+              + hosts.get(0)
+              + ": other computers reach this address, so the page needs TLS: add --tls, or"
+              + " --tls-cert, or --keystore");
+    }
+    return address;
+  }
+
+  /** Returns the certificate of the options; null without TLS. */
+  private @Nullable ServerCertificate certificate(Path folder, PageAddress address)
+      throws IOException {
+    if (tls) {
+      OwnCertificate own = OwnCertificate.in(folder.resolve("tls"), address);
+      console()
+          .error(
+              (own.isNew() ? "made a certificate" : "the certificate")
+                  + " with the SHA-256 fingerprint "
+                  + own.certificate().fingerprint());
+      return own.certificate();
+    }
+    ServerCertificate read;
+    if (keyStore != null) {
+      read = ServerCertificate.ofKeyStore(keyStore, password());
+    } else if (certificate != null) {
+      read = ServerCertificate.ofPem(certificate, key == null ? certificate : key, password());
+    } else {
+      return null;
+    }
+    address.names().stream()
+        .filter(it -> !read.isFor(it))
+        .forEach(it -> console().error("browsers will warn: the certificate is not for " + it));
+    return read;
+  }
+
+  private char @Nullable [] password() throws IOException {
+    if (passwordFile == null) {
+      String password = console().environment("JOPENSHOWVAR_TLS_PASSWORD");
+      return password == null ? null : password.toCharArray();
+    }
+    try {
+      return Files.readString(passwordFile).lines().findFirst().orElse("").toCharArray();
+    } catch (IOException e) {
+      throw FileException.cannot("read", passwordFile, e);
     }
   }
 

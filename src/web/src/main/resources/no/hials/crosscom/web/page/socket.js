@@ -16,7 +16,8 @@ let attempts = 0;
 
 /** Opens the socket. */
 export function connect() {
-  socket = new WebSocket(`ws://${location.host}/socket?page=${encodeURIComponent(token)}`);
+  const origin = location.origin.replace(/^http/, 'ws');
+  socket = new WebSocket(`${origin}/socket?page=${encodeURIComponent(token)}`);
   const own = socket;
   socket.onopen = () => {
     attempts = 0;

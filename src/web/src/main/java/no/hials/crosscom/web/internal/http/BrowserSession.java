@@ -1,5 +1,6 @@
 package no.hials.crosscom.web.internal.http;
 
+import java.time.Instant;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -12,6 +13,10 @@ public final class BrowserSession {
 
   private final int number;
   private final Role role;
+  private final String label;
+  private final String letInBy;
+  private final Instant since;
+  private volatile boolean ended;
 
   /** The tokens of the pages it has loaded; the oldest ones are forgotten. */
   private final Set<String> pages =
@@ -26,9 +31,23 @@ public final class BrowserSession {
                 }
               }));
 
-  BrowserSession(int number, Role role) {
+  /**
+   * Creates a session.
+   *
+   * @param label the name that somebody has chosen; may be empty
+   * @param letInBy who made the link
+   */
+  BrowserSession(int number, Role role, String label, String letInBy, Instant since) {
     this.number = number;
     this.role = role;
+    this.label = label;
+    this.letInBy = letInBy;
+    this.since = since;
+  }
+
+  /** Returns its number; no other browser gets the same one. */
+  public int number() {
+    return number;
   }
 
   /** Returns the rights of the browser. */
@@ -36,9 +55,29 @@ public final class BrowserSession {
     return role;
   }
 
-  /** Returns a name for people, such as {@code browser 2}. */
+  /** Returns a name for people, such as {@code browser 2} or {@code browser 2 (tablet)}. */
   public String name() {
-    return "browser " + number;
+    return "browser " + number + (label.isEmpty() ? "" : " (" + label + ")");
+  }
+
+  /** Returns who made the link by which it came. */
+  public String letInBy() {
+    return letInBy;
+  }
+
+  /** Returns when it came. */
+  public Instant since() {
+    return since;
+  }
+
+  /** Ends the session, for good. */
+  void end() {
+    ended = true;
+  }
+
+  /** Returns whether it has not been sent away. */
+  public boolean isIn() {
+    return !ended;
   }
 
   /** Returns a token for a page that is being loaded: only that page can open a socket with it. */

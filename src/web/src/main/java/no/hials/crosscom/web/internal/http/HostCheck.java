@@ -1,9 +1,12 @@
 package no.hials.crosscom.web.internal.http;
 
 import java.net.InetSocketAddress;
-import java.util.Locale;
+import java.util.Collection;
+import java.util.List;
 import java.util.Set;
+import no.hials.crosscom.web.PageAddress;
 import org.eclipse.jetty.http.HttpHeader;
+import org.eclipse.jetty.http.HttpScheme;
 import org.eclipse.jetty.server.Request;
 
 /**
@@ -12,12 +15,22 @@ import org.eclipse.jetty.server.Request;
  * Origin}.
  */
 public final class HostCheck {
-  private static final Set<String> LOOPBACK = Set.of("127.0.0.1", "localhost", "[::1]");
+  private static final Set<String> LOOPBACK =
+      Set.of("127.0.0.1", "localhost", PageAddress.canonical("[::1]"));
 
-  private HostCheck() {}
+  private final Set<String> names;
+
+  /**
+   * Creates a check.
+   *
+   * @param names the names of this server; those of the loopback address are allowed there anyway
+   */
+  public HostCheck(Collection<String> names) {
+    this.names = Set.copyOf(names);
+  }
 
   /** Returns whether the host is this one, and the origin, if there is one, is our own page. */
-  static boolean isOurs(Request request) {
+  boolean isOurs(Request request) {
     String origin = request.getHeaders().get(HttpHeader.ORIGIN);
     return isOurHost(request) && (origin == null || isOurOrigin(request));
   }
@@ -26,17 +39,32 @@ public final class HostCheck {
   public static boolean isOurOrigin(Request request) {
     String origin = request.getHeaders().get(HttpHeader.ORIGIN);
     String host = request.getHeaders().get(HttpHeader.HOST);
-    return origin != null && origin.equalsIgnoreCase("http://" + host);
+    return origin != null && origin.equalsIgnoreCase(scheme(request).asString() + "://" + host);
   }
 
-  private static boolean isOurHost(Request request) {
-    if (request.getHeaders().getValuesList(HttpHeader.HOST).size() != 1) {
+  private static HttpScheme scheme(Request request) {
+    return request.isSecure() ? HttpScheme.HTTPS : HttpScheme.HTTP;
+  }
+
+  private boolean isOurHost(Request request) {
+    List<String> hosts = request.getHeaders().getValuesList(HttpHeader.HOST);
+    if (hosts.size() != 1) {
       return false;
     }
-    String host = request.getHeaders().get(HttpHeader.HOST).toLowerCase(Locale.ROOT);
-    int port =
-        ((InetSocketAddress) request.getConnectionMetaData().getLocalSocketAddress()).getPort();
-    return LOOPBACK.stream().anyMatch(name -> host.equals(name + ":" + port))
-        || (port == 80 && LOOPBACK.contains(host));
+    String host = hosts.get(0);
+    InetSocketAddress local = local(request);
+    String port = ":" + local.getPort();
+    if (host.endsWith(port)) {
+      host = host.substring(0, host.length() - port.length());
+    } else if (local.getPort() != scheme(request).getDefaultPort()) {
+      return false;
+    }
+    String name = PageAddress.canonical(host);
+    return names.contains(name)
+        || (local.getAddress().isLoopbackAddress() && LOOPBACK.contains(name));
+  }
+
+  static InetSocketAddress local(Request request) {
+    return (InetSocketAddress) request.getConnectionMetaData().getLocalSocketAddress();
   }
 }

@@ -1,7 +1,6 @@
 package no.hials.crosscom.web.internal.http;
 
 import java.io.IOException;
-import java.net.InetSocketAddress;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
@@ -26,18 +25,20 @@ import org.eclipse.jetty.util.Fields;
 public final class PageHandler extends Handler.Abstract {
   private static final String TOKEN = "token";
   private static final String NO_SESSION =
-      "This browser has no session. Open the link that 'jopenshowvar web' has printed; each link"
-          + " works once.";
+      "This browser has no session. Open the link that 'jopenshowvar web' has printed, or ask"
+          + " somebody who is in for a link; each link works once.";
 
   private final Tokens tokens;
+  private final HostCheck hosts;
   private final PageFiles files = new PageFiles();
   private final String policy;
 
   /** The routes by their paths. */
   private final Map<String, Route> routes = new LinkedHashMap<>();
 
-  public PageHandler(Tokens tokens) throws IOException {
+  public PageHandler(Tokens tokens, HostCheck hosts) throws IOException {
     this.tokens = tokens;
+    this.hosts = hosts;
     policy =
         "default-src 'none'; script-src 'self' 'sha256-"
             + files.importMapHash()
@@ -57,7 +58,7 @@ public final class PageHandler extends Handler.Abstract {
   @Override
   public boolean handle(Request request, Response response, Callback callback) throws Exception {
     protect(response.getHeaders());
-    if (!HostCheck.isOurs(request)) {
+    if (!hosts.isOurs(request)) {
       return refuse(response, callback, HttpStatus.FORBIDDEN_403, "Not the host of this page.");
     }
     String path = Request.getPathInContext(request);
@@ -101,7 +102,7 @@ public final class PageHandler extends Handler.Abstract {
   private boolean open(Request request, Response response, Callback callback, String token) {
     Optional<String> key = tokens.open(token);
     if (key.isEmpty()) {
-      String reason = "This link is not valid, or was used before. " + NO_SESSION;
+      String reason = "This link is not valid, is too old, or was used before. " + NO_SESSION;
       return refuse(response, callback, HttpStatus.FORBIDDEN_403, reason);
     }
     HttpCookie cookie =
@@ -109,6 +110,7 @@ public final class PageHandler extends Handler.Abstract {
             .path("/")
             .httpOnly(true)
             .sameSite(HttpCookie.SameSite.STRICT)
+            .secure(request.isSecure())
             .build();
     Response.addCookie(response, cookie);
     response.setStatus(HttpStatus.SEE_OTHER_303);
@@ -119,9 +121,9 @@ public final class PageHandler extends Handler.Abstract {
 
   /** Returns the name of the cookie; browsers do not tell the ports of one host apart. */
   private static String cookieName(Request request) {
-    InetSocketAddress local =
-        (InetSocketAddress) request.getConnectionMetaData().getLocalSocketAddress();
-    return "jopenshowvar-" + local.getPort();
+    String name = "jopenshowvar-" + HostCheck.local(request).getPort();
+    // the prefix keeps a server without TLS on this host from setting the cookie
+    return request.isSecure() ? "__Host-" + name : name;
   }
 
   /** Returns the session of the browser that sent a request. */

@@ -67,6 +67,18 @@ public final class Sockets implements Route, AutoCloseable {
     viewers.forEach(viewer -> viewer.sendText(key, text));
   }
 
+  /** Closes the sockets of a browser whose session has ended. */
+  public void end(BrowserSession browser) {
+    viewers.stream()
+        .filter(viewer -> viewer.browser() == browser)
+        .forEach(viewer -> viewer.end("sent away"));
+  }
+
+  /** Returns the number of open sockets of a browser. */
+  public long count(BrowserSession browser) {
+    return viewers.stream().filter(viewer -> viewer.browser() == browser).count();
+  }
+
   /** Returns the number of open sockets. */
   public int count() {
     return viewers.size();

@@ -61,6 +61,11 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     return browser.name();
   }
 
+  /** Returns its browser. */
+  public BrowserSession browser() {
+    return browser;
+  }
+
   /** Returns the rights of its browser. */
   public Role role() {
     return browser.role();
@@ -120,11 +125,27 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     }
   }
 
+  /**
+   * Ends the connection at once, whether the page answers or not. Commands that wait are dropped.
+   */
+  void end(String reason) {
+    closed = true;
+    Session open = session;
+    if (open != null) {
+      open.close(
+          POLICY_VIOLATION, reason, Callback.from(open::disconnect, failure -> open.disconnect()));
+    }
+  }
+
   @Override
   public void onWebSocketOpen(Session opened) {
     session = opened;
     if (!sockets.add(this)) {
       close("too many pages are open");
+      return;
+    }
+    if (!browser.isIn()) { // since it was checked at the request
+      end("sent away");
       return;
     }
     flush();

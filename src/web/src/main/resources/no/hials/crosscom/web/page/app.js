@@ -54,8 +54,8 @@ function Connection() {
     connecting: 'Connecting to the server …',
     lost: 'The connection to the server is lost. Nothing on this page is up to date. Trying again …',
     ended:
-      "This browser has no session any more: 'jopenshowvar web' was started again. Open the link" +
-      ' that it has printed.',
+      "This browser has no session any more: it was sent away, or 'jopenshowvar web' was started" +
+      ' again. Open the link that it has printed, or ask somebody who is in for a link.',
   };
   return h('p', { class: `banner ${socket}`, role: 'alert' }, texts[socket]);
 }

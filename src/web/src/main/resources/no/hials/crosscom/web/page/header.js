@@ -2,6 +2,7 @@
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { Access } from './access.js';
 import { call } from './socket.js';
 import {
   ageOf,
@@ -130,6 +131,35 @@ function Theme() {
   );
 }
 
+function LetIn() {
+  const [open, setOpen] = useState(false);
+  return [
+    h(
+      'button',
+      {
+        key: 'button',
+        class: 'let-in-button',
+        'aria-label': 'Let somebody in',
+        title: 'Let somebody in',
+        onClick: () => setOpen(true),
+      },
+      h(
+        'svg',
+        { viewBox: '0 0 16 16', 'aria-hidden': 'true' },
+        h('circle', { cx: 6, cy: 4.5, r: 3, fill: 'currentColor' }),
+        h('path', { d: 'M0.5 15a5.5 5.5 0 0 1 11 0z', fill: 'currentColor' }),
+        h('path', {
+          d: 'M13 3.5v5M10.5 6h5',
+          fill: 'none',
+          stroke: 'currentColor',
+          'stroke-width': 1.6,
+        }),
+      ),
+    ),
+    open && h(Access, { key: 'dialog', onClose: () => setOpen(false) }),
+  ];
+}
+
 function RobotName({ state, one }) {
   const robots = state.who.robots;
   if (robots.length > 1) {
@@ -193,6 +223,6 @@ export function Header() {
       ),
       owner && h(Item, { name: 'Jog', kind: 'warn' }, owner.id === state.who.id ? 'this page' : owner.name),
     ),
-    h('div', { class: 'actions' }, h(Lock, { one }), h(Theme)),
+    h('div', { class: 'actions' }, h(Lock, { one }), h(LetIn), h(Theme)),
   );
 }

@@ -3,21 +3,33 @@ package no.hials.crosscom.web.browser;
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.google.zxing.BinaryBitmap;
+import com.google.zxing.LuminanceSource;
+import com.google.zxing.RGBLuminanceSource;
+import com.google.zxing.common.HybridBinarizer;
+import com.google.zxing.qrcode.QRCodeReader;
 import com.sun.net.httpserver.HttpServer;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.List;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.web.OwnCertificate;
+import no.hials.crosscom.web.PageAddress;
 import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.ServerCertificate;
 import no.hials.crosscom.web.TestPages;
+import no.hials.crosscom.web.TestSocket;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.Keys;
 
@@ -49,7 +61,8 @@ class AccessBrowserIT {
 
     browser.open(link);
 
-    assertThat(browser.text("body")).startsWith("This link is not valid, or was used before.");
+    assertThat(browser.text("body"))
+        .startsWith("This link is not valid, is too old, or was used before.");
   }
 
   @ParameterizedTest
@@ -141,6 +154,74 @@ class AccessBrowserIT {
 
     browser.await("document.querySelector('.banner.ended')");
     assertThat(browser.text(".banner")).contains("no session any more");
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = {"DESKTOP", "SMALL_PHONE"})
+  void somebodyIsLetInByTheCodeAndSentAway(Browser.Size size, Browser browser) throws Exception {
+    browser.size(size);
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.await(LIVE);
+    browser.click("[aria-label=\"Let somebody in\"]");
+    browser.await("document.querySelectorAll('.browsers li').length === 1");
+    assertThat(browser.run("return [...document.querySelectorAll('.let-in option')].length"))
+        .isEqualTo(2L);
+    assertThat(browser.barriers()).isEmpty();
+
+    browser.find(".let-in input").sendKeys("phone");
+    browser.click(".let-in .main");
+    browser.find("svg.code");
+    browser.picture("access-" + size);
+    assertThat(browser.barriers()).isEmpty();
+    assertThat(browser.overflow()).isNotPositive();
+    assertThat(size == Browser.Size.DESKTOP ? List.of() : browser.smallTargets()).isEmpty();
+    String link = code(browser.picture());
+    assertThat(browser.run("return document.querySelector('.made .link').value")).isEqualTo(link);
+
+    assertThat(pages.get(URI.create(link)).statusCode()).isEqualTo(303);
+
+    browser.click("[aria-label=\"Send browser 2 (phone) away\"]");
+    browser.click(".browsers .main");
+    browser.await("document.querySelectorAll('.browsers li').length === 1");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  /** Reads the QR code in a picture, as the camera of a phone does. */
+  private static String code(BufferedImage picture) throws Exception {
+    int width = picture.getWidth();
+    int height = picture.getHeight();
+    int[] pixels = picture.getRGB(0, 0, width, height, null, 0, width);
+    LuminanceSource light = new RGBLuminanceSource(width, height, pixels);
+    return new QRCodeReader().decode(new BinaryBitmap(new HybridBinarizer(light))).getText();
+  }
+
+  @Test
+  void aBrowserThatIsSentAwayIsTold(Browser browser) throws Exception {
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.await(LIVE);
+
+    try (TestSocket operator = pages.open(Role.OPERATE)) {
+      operator.call("send_away", "browser", "1");
+    }
+
+    browser.await("document.querySelector('.banner.ended')");
+    assertThat(browser.text(".banner")).contains("it was sent away");
+  }
+
+  @Test
+  void thePageWorksWithTlsAndShowsTheFingerprint(Browser browser) throws IOException {
+    ServerCertificate certificate =
+        OwnCertificate.in(folder.resolve("tls"), PageAddress.loopback()).certificate();
+    try (TestPages secure =
+        TestPages.start(
+            ServerType.C3_BRIDGE, folder.resolve("secure"), cfg -> cfg.certificate(certificate))) {
+      browser.open(URI.create(secure.web().link(Role.VIEW)));
+      browser.await(LIVE);
+      browser.click("[aria-label=\"Let somebody in\"]");
+
+      assertThat(browser.text(".fingerprint")).isEqualTo(certificate.fingerprint());
+      assertThat(browser.errors()).isEmpty();
+    }
   }
 
   @Test

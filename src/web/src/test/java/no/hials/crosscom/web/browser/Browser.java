@@ -1,5 +1,7 @@
 package no.hials.crosscom.web.browser;
 
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
@@ -11,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.logging.Level;
+import javax.imageio.ImageIO;
 import org.openqa.selenium.By;
 import org.openqa.selenium.OutputType;
 import org.openqa.selenium.WebElement;
@@ -71,6 +74,7 @@ public final class Browser implements AutoCloseable {
         "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1, EXCLUDE localhost",
         "--use-angle=swiftshader",
         "--enable-unsafe-swiftshader");
+    options.setAcceptInsecureCerts(true); // those that a test has made
     LoggingPreferences logs = new LoggingPreferences();
     logs.enable(LogType.BROWSER, Level.ALL);
     options.setCapability("goog:loggingPrefs", logs);
@@ -257,6 +261,12 @@ public final class Browser implements AutoCloseable {
         .filter(it -> it.getLevel().equals(Level.SEVERE))
         .map(it -> it.getMessage())
         .toList();
+  }
+
+  /** Returns what the window shows, as a picture. */
+  BufferedImage picture() throws IOException {
+    byte[] png = driver.getScreenshotAs(OutputType.BYTES);
+    return ImageIO.read(new ByteArrayInputStream(png));
   }
 
   /** Saves what the window shows, for the eye: {@code target/pictures/NAME.png}. */

@@ -125,15 +125,25 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     }
   }
 
-  /**
-   * Ends the connection at once, whether the page answers or not. Commands that wait are dropped.
-   */
+  /** Ends the connection at once, whether the page reads its close or not. */
   void end(String reason) {
-    closed = true;
+    leave();
     Session open = session;
     if (open != null) {
       open.close(
           POLICY_VIOLATION, reason, Callback.from(open::disconnect, failure -> open.disconnect()));
+    }
+  }
+
+  /** Drops what the page has sent and follows; a second call does nothing. */
+  private void leave() {
+    closed = true;
+    sockets.remove(this);
+    for (Runnable task : List.copyOf(atClose)) {
+      // unless atClose has run it
+      if (atClose.remove(task)) {
+        task.run();
+      }
     }
   }
 
@@ -225,13 +235,6 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   @Override
   public void onWebSocketClose(int code, @Nullable String reason, Callback callback) {
     callback.succeed();
-    closed = true;
-    sockets.remove(this);
-    for (Runnable task : List.copyOf(atClose)) {
-      // unless atClose has run it
-      if (atClose.remove(task)) {
-        task.run();
-      }
-    }
+    leave();
   }
 }

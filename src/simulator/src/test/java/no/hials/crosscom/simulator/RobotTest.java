@@ -129,6 +129,7 @@ final class RobotTest {
       cell.controller.load("$machine.dat", MACHINE);
 
       assertThat(cell.controller.model().name()).isEqualTo("#KR210R2700_2 C4 FLR");
+      assertThat(cell.get("$MODEL_NAME[]")).isEqualTo("\"#KR210R2700_2 C4 FLR\"");
       assertThat(cell.controller.model().maxSpeed(0)).isEqualTo(116.796, within(0.001));
       assertThat(cell.controller.axes()).isEqualTo(AXIS_HOME);
       assertThat(cell.component("$POS_ACT", "X"))

@@ -40,6 +40,7 @@ final class RobotChanger {
         RobotModel robot = data.robot(access);
         motions.robot(robot);
         variables.robot(robot);
+        data.name(access);
       }
     } catch (MachineDataException e) {
       refuse(String.valueOf(e.getMessage()));

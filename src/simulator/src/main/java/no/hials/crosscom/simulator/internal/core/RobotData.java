@@ -22,8 +22,11 @@ public record RobotData(Set<String> now, Set<String> all) {
   /** The variable that is in the saved state of a controller. */
   private static final String AXIS_ACT = "$AXIS_ACT";
 
+  /** The name that clients see, which not all machine data have. */
+  private static final String MODEL_NAME = "$MODEL_NAME";
+
   /** The variables by which the data of a robot are recognised. */
-  public static final Set<String> SIGNS = Set.of(TRAFONAME, XHOME, AXIS_ACT);
+  public static final Set<String> SIGNS = Set.of(TRAFONAME, XHOME, AXIS_ACT, MODEL_NAME);
 
   boolean isMachineData() {
     return now.contains(TRAFONAME);
@@ -38,6 +41,13 @@ public record RobotData(Set<String> now, Set<String> all) {
     // the home position of the lists in the jar is that of another robot
     return RobotModel.fromMachineData(
         name -> name.equals(XHOME) && !all.contains(XHOME) ? Optional.empty() : access.value(name));
+  }
+
+  /** Sets the name of a robot whose machine data have only that of its transformation. */
+  void name(SystemVariableAccess access) {
+    if (!now.contains(MODEL_NAME)) {
+      access.value(TRAFONAME + "[]").ifPresent(name -> access.write(MODEL_NAME + "[]", name));
+    }
   }
 
   /**

@@ -50,7 +50,10 @@ final class RobotTable {
 
   private static String nearest(String key) {
     return ROBOTS.entrySet().stream()
-        .sorted(Comparator.comparingInt(robot -> distance(key, robot.getKey())))
+        .sorted(
+            Comparator.<Map.Entry<String, RobotModel>, Boolean>comparing(
+                    robot -> !robot.getKey().startsWith(key))
+                .thenComparingInt(robot -> distance(key, robot.getKey())))
         .limit(NEAREST)
         .map(robot -> robot.getValue().name())
         .collect(Collectors.joining(", "));

@@ -50,6 +50,11 @@ final class RobotTableTest {
         .isThrownBy(() -> RobotModel.named("KR 210 R2700"))
         .withMessageStartingWith(
             "no robot is named KR 210 R2700, the nearest names are KR 210 R2700-2, ");
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> RobotModel.named("kr210"))
+        .withMessage(
+            "no robot is named kr210, the nearest names are KR 210 R2700-2, KR 210 R3100-2,"
+                + " KR 210 R3300-2 K");
   }
 
   @Test

@@ -68,6 +68,7 @@ final class LinkErrors {
   List<KrlError> complete() {
     complete = true;
     return all.stream()
+        .distinct()
         .sorted(
             Comparator.comparing((KrlError error) -> error.position().file())
                 .thenComparing(error -> error.position().line())

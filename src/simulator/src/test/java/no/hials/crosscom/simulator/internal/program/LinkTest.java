@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import no.hials.crosscom.lang.DataList;
+import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.SourceFile;
 import no.hials.crosscom.simulator.KrlFileException;
 import no.hials.crosscom.simulator.LoadingMode;
@@ -235,6 +236,15 @@ class LinkTest {
 
     assertThat(rig.fault()).isEqualTo(fault);
     assertThat(rig.get("I")).isEqualTo("7");
+  }
+
+  @Test
+  void reportsAnErrorAtOnePlaceOnce() {
+    Rig rig = new Rig().loadLeniently("DEF TEST()\nFOR GHOST=1 TO 3\nENDFOR\nEND\n");
+
+    assertThat(rig.library.check("TEST"))
+        .extracting(KrlError::toString)
+        .containsExactly("test.src:2:5: no variable GHOST is declared");
   }
 
   @Test

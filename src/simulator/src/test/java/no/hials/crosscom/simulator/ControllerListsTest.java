@@ -122,6 +122,83 @@ class ControllerListsTest {
     }
 
     @Test
+    void declareSystemVariablesAgainWithoutValuesAndKeepTheirs() {
+      String position = cell.get("$POS_ACT");
+      List<String> problems =
+          warnings(
+              "$OPERATE PUBLIC",
+              "INT $OV_PRO",
+              "E6POS $POS_ACT",
+              "INT $MODE_OP",
+              "FRAME $WORLD",
+              "BOOL $IN[1024]",
+              "REAL $VEL_AXIS[6]",
+              "BOOL $STOPMESS",
+              "CHAR $TRAFONAME[8]",
+              "INT $TIMER[64]",
+              "$TIMER[2]=5");
+
+      assertThat(problems).isEmpty();
+      assertThat(cell.get("$OV_PRO")).isEqualTo("100");
+      assertThat(cell.get("$POS_ACT")).isEqualTo(position);
+      assertThat(cell.get("$MODE_OP")).isEqualTo("#AUT");
+      assertThat(cell.get("$WORLD.Z")).isEqualTo("0.0");
+      assertThat(cell.get("$IN[1025]")).isEqualTo("TRUE");
+      assertThat(cell.get("$VEL_AXIS[6]")).isEqualTo("100.000");
+      assertThat(cell.get("$STOPMESS")).isEqualTo("FALSE");
+      assertThat(cell.get("$TRAFONAME[]")).isEqualTo("\"#KR6R900 C4SR FLR 230\"");
+      assertThat(cell.get("$TIMER[1]")).isEqualTo("0");
+      assertThat(cell.get("$TIMER[2]")).isEqualTo("5");
+    }
+
+    @Test
+    void variablesOfTypesThatAreMissingKeepWhatIsWritten() throws Exception {
+      LoadReport list =
+          cell.controller.load(
+              "pick.dat",
+              """
+              DEFDAT PICK
+              DECL SPOT_T S1={GUN 2,THICK 1.5,NAME[] "A"}
+              DECL SPOT_T ALL[3]
+              ALL[2]={GUN 7}
+              ENDDAT
+              """,
+              LoadingMode.LENIENT);
+      LoadReport program =
+          cell.controller.load(
+              "pick.src",
+              """
+              DEF PICK( )
+              DECL STATUS_T RET
+              MYINT=S1.GUN+ALL[2].GUN
+              WELD(S1)
+              RET=MYINT
+              RET={NR 4}
+              MYINT=MYINT+RET.NR
+              END
+              DEF WELD(S:IN)
+              DECL SPOT_T S
+              MYREAL=S.THICK
+              END
+              """,
+              LoadingMode.LENIENT);
+
+      assertThat(list.problems())
+          .extracting(KrlError::message)
+          .hasSize(2)
+          .allMatch(message -> message.endsWith("type SPOT_T is not declared"));
+      assertThat(program.problems()).isEmpty();
+      assertThat(cell.controller.check("PICK"))
+          .extracting(KrlError::message)
+          .containsExactly("type STATUS_T is not declared", "type SPOT_T is not declared");
+      cell.controller.robot().select("PICK");
+      cell.controller.start();
+      cell.runToTheEnd();
+      assertThat(cell.get("MYINT")).isEqualTo("13");
+      assertThat(cell.get("MYREAL")).isEqualTo("1.50000");
+    }
+
+    @Test
     void loadAProgramWithoutEnd() {
       LoadReport report =
           cell.controller.load(
@@ -417,7 +494,8 @@ class ControllerListsTest {
       assertThat(
               warnings(
                   "$CONFIG",
-                  "STRUC pdat REAL VEL,ACC,REAL APO_DIST,APO_MODE_T APO_MODE,REAL GEAR_JERK,INT EXAX_IGN",
+                  "STRUC pdat REAL VEL,ACC,REAL APO_DIST,APO_MODE_T APO_MODE,REAL GEAR_JERK,INT"
+                      + " EXAX_IGN",
                   "ENUM APO_MODE_T CPTP,CDIS",
                   "DECL PDAT P={VEL 50.0}"))
           .isEmpty();

@@ -192,11 +192,13 @@ final class ArrayStorage extends Storage {
 
   @Override
   Storage takeOver(Storage others) {
-    if (!(others instanceof ArrayStorage array) || array.count != count) {
+    if (!(others instanceof ArrayStorage array)
+        || array.lengths.length != lengths.length
+        || (array.count != count && lengths.length > 1)) {
       return this;
     }
     try {
-      return changeAll((i, old) -> old.takeOver(array.element(i)));
+      return changeAll((i, old) -> i < array.count ? old.takeOver(array.element(i)) : old);
     } catch (RefusedException e) {
       throw new IllegalStateException("an element takes what fits", e);
     }

@@ -292,7 +292,11 @@ public final class DataListLoader {
       tell(
           () -> {
             Scope target = checkNew(declarator.name(), group.global(), declarator.position());
-            if (!typeKnown || !tell(() -> declareVariable(group, declarator, target))) {
+            boolean declared =
+                typeKnown
+                    ? tell(() -> declareVariable(group, declarator, target))
+                    : isLenient && tell(() -> declareUntyped(declarator, target));
+            if (!declared) {
               broken.add(Scope.key(declarator.name()));
             }
           });
@@ -310,12 +314,37 @@ public final class DataListLoader {
       contents = withInitial(contents, source, initial);
     }
     VariableEntry old = own(target, source.name());
-    if (old != null && old.source() != null) {
+    if (isLenient && initial == null && old != null && source.name().startsWith("$")) {
+      declareAgain(target, old, type);
+    } else if (old != null && old.source() != null) {
       checkBound(old, contents, source.position());
       target.put(old.with(contents));
     } else {
       Access access = access(old, source.name(), group.constant(), group.comment());
       target.put(VariableEntry.variable(source.name(), access, contents));
+    }
+  }
+
+  /** Declares a variable of an unknown type, which keeps what is written. */
+  private void declareUntyped(Declaration.Declarator source, Scope target)
+      throws KrlErrorException {
+    target.declareUntyped(source.name(), source.position());
+    Expression initial = source.initial();
+    VariableEntry variable = own(target, source.name());
+    if (initial != null && variable != null) {
+      target.put(variable.with(withInitial(UntypedStorage.EMPTY, source, initial)));
+    }
+  }
+
+  /** Declares a variable of the controller again, which keeps its value. */
+  private static void declareAgain(Scope target, VariableEntry old, DeclaredType type) {
+    Storage contents = old.contents();
+    if (contents == null || old.source() != null) {
+      return; // a signal, or set by the controller
+    }
+    Storage changed = type.atLeast(DeclaredType.of(contents)).uninitialised().takeOver(contents);
+    if (changed.initialised() || !contents.initialised()) {
+      target.put(old.with(changed));
     }
   }
 

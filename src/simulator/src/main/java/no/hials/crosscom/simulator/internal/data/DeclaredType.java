@@ -110,6 +110,18 @@ record DeclaredType(Type element, List<Integer> dimensions) {
     return new DeclaredType(element.type(), List.copyOf(dimensions));
   }
 
+  /** Returns this type with the dimensions of another where those are longer. */
+  DeclaredType atLeast(DeclaredType other) {
+    if (dimensions.size() != other.dimensions.size()) {
+      return this;
+    }
+    List<Integer> longer = new ArrayList<>();
+    for (int i = 0; i < dimensions.size(); i++) {
+      longer.add(Math.max(dimensions.get(i), other.dimensions.get(i)));
+    }
+    return new DeclaredType(element, List.copyOf(longer));
+  }
+
   /** Returns a variable of this type without a value. */
   Storage uninitialised() {
     int depth = dimensions.size();

@@ -176,7 +176,11 @@ final class SymbolTable {
     for (Declarator variable : variables.variables()) {
       if (!parameters.contains(Scope.key(variable.name()))) {
         checkDimensions(variable);
-        declareLocal(variable, variables.type(), new StorageLocation.Local(locals.size()));
+        StorageLocation location = new StorageLocation.Local(locals.size());
+        declareLocal(variable, variables.type(), location);
+        if (module.mode() == LoadingMode.LENIENT && !own.knowsType(variables.type())) {
+          declareUntyped(variable, location);
+        }
       }
     }
   }
@@ -217,7 +221,10 @@ final class SymbolTable {
     }
   }
 
-  /** Declares a parameter of an unknown type, so that the others keep their slots. */
+  /**
+   * Declares a variable of an unknown type, which keeps what is written; a parameter also so that
+   * the others keep their slots.
+   */
   private void declareUntyped(Declarator variable, StorageLocation location) {
     String key = Scope.key(variable.name());
     try {

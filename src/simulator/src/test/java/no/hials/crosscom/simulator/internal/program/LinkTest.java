@@ -285,7 +285,7 @@ class LinkTest {
 
     assertThat(rig.fault()).isEqualTo("9010 line 25: no variable NOBODY is declared");
     assertThat(rig.get("I") + rig.get("J") + rig.get("K")).isEqualTo("659");
-    assertThat(rig.library.check("TEST")).hasSize(7);
+    assertThat(rig.library.check("TEST")).hasSize(6);
   }
 
   @Test

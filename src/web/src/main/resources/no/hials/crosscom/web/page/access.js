@@ -8,9 +8,9 @@ import { call, onEvent } from './socket.js';
 import { serverTime, state } from './state.js';
 
 const ROLES = [
-  ['VIEW', 'View: sees everything, changes nothing'],
-  ['OPERATE', 'Operate: also unlocks robots, writes, starts programs'],
-  ['JOG', 'Jog: also moves robots by hand'],
+  ['VIEW', 'View: changes nothing'],
+  ['OPERATE', 'Operate: writes, starts programs'],
+  ['JOG', 'Jog: also moves robots'],
 ];
 const ROLE_NAMES = { VIEW: 'view', OPERATE: 'operate', JOG: 'jog' };
 const QUIET_ZONE = 4;
@@ -147,7 +147,11 @@ function Reach({ access }) {
         'p',
         { key: 'fingerprint', class: 'hint' },
         'A browser that warns of the certificate must show this SHA-256 fingerprint:',
-        h('code', { class: 'fingerprint' }, access.fingerprint),
+        h(
+          'code',
+          { class: 'fingerprint' },
+          access.fingerprint.match(/..:?/g).map((byte) => [byte, h('wbr')]),
+        ),
       ),
   ];
 }

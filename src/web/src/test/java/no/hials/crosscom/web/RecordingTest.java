@@ -209,6 +209,20 @@ class RecordingTest {
     }
   }
 
+  @Test
+  void aRecordingThatWouldFillTheMemoryIsOnlyDownloaded() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      Files.write(files.resolve("a.csv"), new byte[16 * 1024 * 1024 + 1]);
+
+      HttpResponse<String> answer =
+          pages.get(pages.at("/recordings/a.csv/columns"), "Cookie", pages.login(Role.VIEW));
+
+      assertThat(answer.statusCode()).isEqualTo(413);
+      assertThat(answer.body()).contains("has 16777217. Download it instead.");
+    }
+  }
+
   @ParameterizedTest
   @EnumSource(ServerType.class)
   void everyViewerSeesListsAndDownloadsRecordings(ServerType type) throws Exception {

@@ -31,7 +31,7 @@ final class RecordingFiles implements Route {
   static final int MOST_FILES = 500;
 
   /** A larger one can be downloaded; as numbers it would fill the memory of a browser. */
-  static final long MOST_BYTES_TO_REPLAY = 32L * 1024 * 1024;
+  static final long MOST_BYTES_TO_REPLAY = 16L * 1024 * 1024;
 
   static final String CSV = ".csv";
   static final String JSON_LINES = ".jsonl";

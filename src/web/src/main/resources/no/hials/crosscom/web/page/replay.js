@@ -13,6 +13,8 @@ const TEXT_PERIOD = 100;
 
 /** The numbers of a recording, by names such as $AXIS_ACT.A1; times are in s since its start. */
 class Recording {
+  isFixed = true;
+
   constructor(file, data) {
     const length = new DataView(data).getInt32(0, true);
     const head = JSON.parse(new TextDecoder().decode(new Uint8Array(data, 4, length)));

@@ -158,6 +158,13 @@ export class TimePanel {
   /** Draws a source between two times, with a line at the time of the replay or null. */
   draw(source, from, to, mark) {
     this.mark = mark;
+    const key = `${from} ${to} ${this.plot.width}`;
+    if (source.isFixed && source === this.source && key === this.key) {
+      this.plot.redraw(false, false); // only the mark has moved
+      return;
+    }
+    this.source = source;
+    this.key = key;
     const count = Math.max(50, Math.min(MOST_SLOTS, Math.round(this.plot.width / SLOT)));
     const data = slots(this.lines.map(({ leaf }) => source.track(leaf)), from, to, count);
     this.plot.batch(() => {

@@ -103,6 +103,9 @@ export class Tracks {
   /** The time of the last reading. */
   latest = 0;
 
+  /** Whether nothing is added any more. */
+  isFixed = false;
+
   /** Adds an event of `watch`; one without values is a gap. */
   add(event, period) {
     const time = event.time / 1000;
@@ -145,6 +148,7 @@ export class Tracks {
   copy() {
     const result = new Tracks();
     result.latest = this.latest;
+    result.isFixed = true;
     this.variables.forEach((variable, name) => result.variables.set(name, variable.copy()));
     return result;
   }

@@ -301,7 +301,7 @@ public final class ClientConfig {
      * 255 (docs/reference/krl-values.md#lengths).
      */
     public Builder maxAggregateLength(int value) {
-      check(value >= 0, "greatest aggregate length must be 0 or more, is " + value);
+      check(value >= 0, "maximum aggregate length must be 0 or more, is " + value);
       options.maxAggregateLength = value;
       return this;
     }
@@ -314,7 +314,7 @@ public final class ClientConfig {
     public Builder maxRequestLength(int value) {
       check(
           value >= 16 && value <= 65_539,
-          "greatest request length must be 16 to 65539, is " + value);
+          "maximum request length must be 16 to 65539, is " + value);
       options.maxRequestLength = value;
       return this;
     }
@@ -338,10 +338,10 @@ public final class ClientConfig {
      */
     public Builder reconnectBackoff(Duration first, Duration most) {
       options.reconnectBackoff = time("reconnect backoff", first, false);
-      options.maxReconnectBackoff = time("greatest reconnect backoff", most, false);
+      options.maxReconnectBackoff = time("maximum reconnect backoff", most, false);
       check(
           most.compareTo(first) >= 0,
-          "greatest reconnect backoff must be at least " + first + ", is " + most);
+          "maximum reconnect backoff must be at least " + first + ", is " + most);
       return this;
     }
 
@@ -364,7 +364,7 @@ public final class ClientConfig {
     public Builder maxPendingCalls(int value) {
       check(
           value >= 1 && value <= 1_000_000,
-          "greatest number of pending calls must be 1 to 1000000, is " + value);
+          "maximum number of pending calls must be 1 to 1000000, is " + value);
       options.maxPendingCalls = value;
       return this;
     }

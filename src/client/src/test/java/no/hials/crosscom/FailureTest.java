@@ -429,7 +429,7 @@ class FailureTest extends RobotTest {
             () ->
                 ClientConfig.create(
                     "h", cfg -> cfg.reconnectBackoff(Duration.ofSeconds(2), Duration.ofSeconds(1))))
-        .withMessage("greatest reconnect backoff must be at least PT2S, is PT1S");
+        .withMessage("maximum reconnect backoff must be at least PT2S, is PT1S");
     assertThatIllegalArgumentException()
         .isThrownBy(() -> ClientConfig.create("h", cfg -> cfg.maxRequestLength(15)));
     ClientConfig defaults = ClientConfig.create("h", cfg -> {});

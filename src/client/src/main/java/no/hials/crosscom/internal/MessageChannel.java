@@ -25,8 +25,8 @@ public interface MessageChannel {
    *
    * @param request the request, whose id does not matter
    * @param answer the class of a successful answer
-   * @param what a noun phrase for error messages, which follow it to "the", such as {@code
-   *     selection of program /R1/MAIN}
+   * @param what a noun phrase that error messages print after "the", such as {@code selection of
+   *     program /R1/MAIN}
    * @return the answer, which is a success
    * @throws CrossComUnsupportedException if the server does not support the message; nothing was
    *     sent

@@ -122,7 +122,7 @@ class ChartsBrowserIT {
         2026-05-04T10:15:32.000000Z,2.000000,33,-80,90,0,30,0,1.0,
         """);
     browser.size(size);
-    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.open(URI.create(pages.web().link(Role.JOG)));
     browser.open(pages.at("/?view=charts#/charts"));
     click(browser, "Open");
     browser.await("document.querySelector('.replay')");
@@ -139,6 +139,12 @@ class ChartsBrowserIT {
     assertThat(browser.overflow()).isNotPositive();
     browser.picture("robot-replay-" + size);
 
+    // nobody takes the recorded pose for that of the robot to jog
+    browser.run("location.hash = '#/jog'");
+    browser.await("document.querySelector('main').textContent.includes('a recording is open')");
+
+    browser.run("location.hash = '#/robot'");
+    browser.await("document.querySelector('.replay-mark')");
     click(browser, "Close");
     browser.await("!document.querySelector('.replay-mark')");
     browser.await(axes("-90.00")); // the robot itself

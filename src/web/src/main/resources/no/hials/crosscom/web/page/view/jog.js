@@ -58,6 +58,9 @@ function obstacle() {
   if (state.socket !== 'open') {
     return 'there is no connection to the server';
   }
+  if (state.replay) {
+    return 'a recording is open: close it, at the top'; // its pose is not that of the robot
+  }
   if (lock?.read_only_by) {
     return `the robot is read-only: ${lock.read_only_by}`;
   }

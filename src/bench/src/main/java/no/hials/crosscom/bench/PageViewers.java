@@ -3,16 +3,10 @@ package no.hials.crosscom.bench;
 import com.sun.management.OperatingSystemMXBean;
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.io.PrintStream;
-import java.io.PrintWriter;
 import java.lang.management.ManagementFactory;
-import java.net.URI;
 import java.net.http.HttpClient;
-import java.net.http.HttpRequest;
-import java.net.http.HttpResponse;
 import java.net.http.WebSocket;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -21,8 +15,6 @@ import java.util.concurrent.CompletionStage;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.web.Role;
@@ -36,7 +28,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class PageViewers {
   private static final int PERIOD_MILLIS = 100;
-  private static final Pattern TOKEN = Pattern.compile("socket-token\" content=\"([^\"]+)\"");
 
   private PageViewers() {}
 
@@ -63,8 +54,8 @@ public final class PageViewers {
   private static void measure(int viewers, int seconds, int rows, PrintStream out)
       throws IOException, InterruptedException {
     Path folder = Files.createTempDirectory("viewers");
-    try (OtherProcess robot = new OtherProcess("robot");
-        OtherProcess others = new OtherProcess("viewers")) {
+    try (OtherProcess robot = new OtherProcess(PageViewers.class, "robot");
+        OtherProcess others = new OtherProcess(PageViewers.class, "viewers")) {
       Robot cell =
           new Robot(
               "cell", "127.0.0.1", Integer.parseInt(robot.ask("port")), null, null, null, null);
@@ -99,53 +90,9 @@ public final class PageViewers {
     }
   }
 
-  /** A process of this class that answers each line with a line, until its input ends. */
-  private static final class OtherProcess implements AutoCloseable {
-    private final Process process;
-    private final PrintWriter to;
-    private final BufferedReader from;
-
-    OtherProcess(String kind) throws IOException {
-      process =
-          new ProcessBuilder(
-                  Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                  "-cp",
-                  System.getProperty("java.class.path"),
-                  PageViewers.class.getName(),
-                  kind)
-              .redirectError(ProcessBuilder.Redirect.INHERIT)
-              .start();
-      to = new PrintWriter(process.outputWriter(StandardCharsets.US_ASCII), true);
-      from = process.inputReader(StandardCharsets.US_ASCII);
-    }
-
-    String ask(String line) throws IOException {
-      to.println(line);
-      String answer = from.readLine();
-      if (answer == null) {
-        throw new IOException("the other process has ended");
-      }
-      return answer;
-    }
-
-    @Override
-    public void close() {
-      to.close();
-      try {
-        process.waitFor();
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-      }
-    }
-  }
-
-  private static BufferedReader input() {
-    return new BufferedReader(new InputStreamReader(System.in, StandardCharsets.US_ASCII));
-  }
-
   private static void robot() throws IOException {
     try (MockServer server = MockServer.start(cfg -> cfg.recordedRequests(0))) {
-      BufferedReader in = input();
+      BufferedReader in = OtherProcess.input();
       for (String line = in.readLine(); line != null; line = in.readLine()) {
         System.out.println(line.equals("port") ? server.port() : server.requestCount());
       }
@@ -155,7 +102,7 @@ public final class PageViewers {
   private static void viewers() throws IOException, InterruptedException {
     HttpClient http = HttpClient.newHttpClient();
     Counter counter = new Counter();
-    BufferedReader in = input();
+    BufferedReader in = OtherProcess.input();
     for (String line = in.readLine(); line != null; line = in.readLine()) {
       if (line.equals("count")) {
         System.out.println(counter.samples);
@@ -169,28 +116,7 @@ public final class PageViewers {
 
   private static void open(HttpClient http, String link, Counter counter)
       throws IOException, InterruptedException {
-    URI address = URI.create(link);
-    String cookie =
-        http.send(HttpRequest.newBuilder(address).build(), HttpResponse.BodyHandlers.discarding())
-            .headers()
-            .firstValue("set-cookie")
-            .orElseThrow()
-            .replaceFirst(";.*", "");
-    HttpResponse<String> page =
-        http.send(
-            HttpRequest.newBuilder(address.resolve("/")).header("Cookie", cookie).build(),
-            HttpResponse.BodyHandlers.ofString());
-    Matcher token = TOKEN.matcher(page.body());
-    if (!token.find()) {
-      throw new IOException("the page has no token for its socket");
-    }
-    http.newWebSocketBuilder()
-        .header("Cookie", cookie)
-        .header("Origin", "http://" + address.getAuthority())
-        .buildAsync(
-            URI.create("ws://" + address.getAuthority() + "/socket?page=" + token.group(1)),
-            counter)
-        .join()
+    PageSocket.open(http, http, link, counter)
         .sendText(
             "{\"id\":1,\"do\":\"watch\",\"robot\":\"cell\",\"list\":\"a\",\"period\":"
                 + PERIOD_MILLIS

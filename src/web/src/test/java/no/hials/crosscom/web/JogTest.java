@@ -363,7 +363,7 @@ class JogTest {
 
     pages.web().close();
 
-    assertThat(variable("MYPOS")).contains("X 0.0");
+    assertThat(variable("MYPOS")).contains("X 0.0,");
     assertThat(variable("JOV_LIMIT")).isEqualTo("0");
   }
 

@@ -56,7 +56,7 @@ class JogBrowserIT {
   }
 
   private boolean stands() {
-    return pages.controller().variables().get("MYPOS").contains("X 0.0");
+    return pages.controller().variables().get("MYPOS").contains("X 0.0,");
   }
 
   /** Holds the button; again, if this computer has paused for 150 ms, which ends a hold. */

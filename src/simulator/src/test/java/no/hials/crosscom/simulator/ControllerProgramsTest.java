@@ -271,6 +271,20 @@ class ControllerProgramsTest {
   }
 
   @Test
+  void startsTheRobotAfterAnErrorOfTheSubmitProgram() throws Exception {
+    cell.submit("MYINT=1\nPTP {A1 20}");
+    cell.cycles(1);
+    assertThat(cell.message()).startsWith("9010 sps.sub:3:");
+    assertThat(cell.get("$STOPMESS")).isEqualTo("FALSE");
+
+    cell.start("PTP {A1 20}");
+    cell.until(() -> cell.controller.robot().state() == ProgramState.END);
+
+    assertThat(cell.get("$AXIS_ACT.A1")).isEqualTo("20.0000");
+    assertThat(cell.controller.submit().state()).isEqualTo(ProgramState.STOP);
+  }
+
+  @Test
   void doesNotNeedAModeOrAConfirmationForTheSubmitProgram() throws Exception {
     cell.controller.setMode(OperatingMode.EXT);
     cell.controller.emergencyStop(true);

@@ -508,7 +508,10 @@ public final class ControllerCore {
   }
 
   private void failed(Interpreter kind, KrlExecutionException fault, Position position) {
-    panel.show(Message.Kind.ACKNOWLEDGEMENT, fault.number(), position + ": " + fault.getMessage());
+    // assumed: the robot's program goes on without the submit program
+    Message.Kind shown =
+        kind == Interpreter.ROBOT ? Message.Kind.ACKNOWLEDGEMENT : Message.Kind.NOTIFICATION;
+    panel.show(shown, fault.number(), position + ": " + fault.getMessage());
     variables.error(fault.number(), kind);
   }
 

@@ -13,7 +13,16 @@ import org.jspecify.annotations.Nullable;
 final class AbsentRoutines {
   /** The hooks of inline forms, which do nothing unless a user fills them. */
   private static final Set<String> HOOKS =
-      Set.of("USERSPOT", "USER_GRP", "H50", "A10", "A20", "GL_MAIN");
+      Set.of(
+          "USERSPOT",
+          "USER_GRP",
+          "H50",
+          "A10",
+          "A20",
+          "GL_MAIN",
+          "BASISTECH_PLC_INIT",
+          "BASISTECH_PLC_LOOP",
+          "SUBMIT_CYCLE");
 
   private static final String HOOKS_OF_TOUCH = "TM_";
   private static final Set<String> CHANNELS =

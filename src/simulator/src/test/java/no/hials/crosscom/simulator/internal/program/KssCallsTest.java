@@ -171,7 +171,9 @@ class KssCallsTest {
         "A10(#A)",
         "A20()",
         "GL_MAIN(1, ,2)",
-        "TM_SPOT(1)"
+        "TM_SPOT(1)",
+        "BASISTECH_PLC_LOOP()",
+        "SUBMIT_CYCLE(12,#PRIO_NORMAL)"
       })
   void doesNothingInAHookOfAnInlineForm(String call) {
     assertThat(new Rig().execute(call + "\nI = 1").get("I")).isEqualTo("1");

@@ -448,10 +448,10 @@ class KssRoutinesTest {
   @Test
   void clearsStateMessagesOfAProgramThatIsReset() {
     load("""
-            MsgState(I1,"loading")
-            B1=EXISTS_KRLMSG(I1)
-            HALT
-            """)
+    MsgState(I1,"loading")
+    B1=EXISTS_KRLMSG(I1)
+    HALT
+    """)
         .start();
     controller.step(Duration.ofMillis(100));
 
@@ -535,16 +535,16 @@ class KssRoutinesTest {
   @Test
   void listsAndClearsTheMessagesOfTheProgram() {
     load("""
-            DECL KRLMSG_T M
-            DECL KRLMSGPAR_T P[3]
-            DECL MSGBUF_T BUF[5]
-            M={MODUL[] "Cell",NR 5,MSG_TXT[] "wait"}
-            I1=Set_KrlMsg(#WAITING,M,P[])
-            I2=Get_MsgBuffer(BUF[])
-            R1=BUF[1].NR
-            B1=Clear_KrlMsg(BUF[1].HANDLE)
-            R2=Get_MsgBuffer(BUF[])
-            """)
+    DECL KRLMSG_T M
+    DECL KRLMSGPAR_T P[3]
+    DECL MSGBUF_T BUF[5]
+    M={MODUL[] "Cell",NR 5,MSG_TXT[] "wait"}
+    I1=Set_KrlMsg(#WAITING,M,P[])
+    I2=Get_MsgBuffer(BUF[])
+    R1=BUF[1].NR
+    B1=Clear_KrlMsg(BUF[1].HANDLE)
+    R2=Get_MsgBuffer(BUF[])
+    """)
         .start();
     controller.step(Duration.ofMillis(100));
 
@@ -558,21 +558,39 @@ class KssRoutinesTest {
   @Test
   void answersADialogueOfTheRobotFromTheProgram() {
     load("""
-            DECL KRLMSG_T M
-            DECL KRLMSGPAR_T P[3]
-            DECL KRLMSGDLGSK_T K[7]
-            INT A
-            M={MODUL[] "Cell",NR 5,MSG_TXT[] "go on?"}
-            K[1]={SK_TYPE #VALUE,SK_TXT[] "yes"}
-            I1=Set_KrlDlg(M,P[],K[])
-            B1=Set_KrlDlgAnswer(I1,1)
-            B1=Exists_KrlDlg(I1,A)
-            I2=A
-            """)
+    DECL KRLMSG_T M
+    DECL KRLMSGPAR_T P[3]
+    DECL KRLMSGDLGSK_T K[7]
+    INT A
+    M={MODUL[] "Cell",NR 5,MSG_TXT[] "go on?"}
+    K[1]={SK_TYPE #VALUE,SK_TXT[] "yes"}
+    I1=Set_KrlDlg(M,P[],K[])
+    B1=Set_KrlDlgAnswer(I1,1)
+    B1=Exists_KrlDlg(I1,A)
+    I2=A
+    """)
         .start();
     controller.step(Duration.ofMillis(100));
 
     assertThat(get("I2") + " " + get("B1")).isEqualTo("1 FALSE");
+  }
+
+  @Test
+  void showsOneMessageOfALoopUntilABlankOne() {
+    load("""
+    DECL MSGBUF_T B[10]
+    MsgLoop("one")
+    MsgLoop("two","Cell")
+    I1=Get_MsgBuffer(B[])
+    MsgLoop(" ")
+    I2=Get_MsgBuffer(B[])
+    """)
+        .start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(get("I1") + " " + get("I2") + " " + get("$STOPMESS")).isEqualTo("1 0 FALSE");
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+    assertThat(controller.messages()).extracting(Message::text).containsExactly("one", "Cell: two");
   }
 
   // cycles
@@ -580,16 +598,16 @@ class KssRoutinesTest {
   @Test
   void evaluatesTheExpressionOfACyclicFlagInEachCycle() {
     load("""
-            INT LIMIT,N
-            LIMIT=3
-            N=2
-            $CYCFLAG[N]=I1>LIMIT
-            N=5
-            INTERRUPT DECL 3 WHEN $CYCFLAG[2] DO HIT()
-            INTERRUPT ON 3
-            LIMIT=5
-            WAIT FOR FALSE
-            """)
+    INT LIMIT,N
+    LIMIT=3
+    N=2
+    $CYCFLAG[N]=I1>LIMIT
+    N=5
+    INTERRUPT DECL 3 WHEN $CYCFLAG[2] DO HIT()
+    INTERRUPT ON 3
+    LIMIT=5
+    WAIT FOR FALSE
+    """)
         .start();
     controller.load("HIT.SRC", "DEF HIT()\nI2=I2+1\nEND\n", LoadingMode.LENIENT);
     controller.robot().stop();
@@ -622,14 +640,14 @@ class KssRoutinesTest {
   @Test
   void writesAnalogueOutputsInCycles() {
     load("""
-            ANOUT ON $ANOUT[1]=R1*2.0 MINIMUM=-0.5 MAXIMUM=0.5
-            ANOUT ON $ANOUT[2]=R1 DELAY=0.12
-            ANIN ON R2=R1+1.0
-            WAIT FOR B1
-            ANOUT OFF $ANOUT[1]
-            ANIN OFF R2
-            WAIT FOR FALSE
-            """)
+    ANOUT ON $ANOUT[1]=R1*2.0 MINIMUM=-0.5 MAXIMUM=0.5
+    ANOUT ON $ANOUT[2]=R1 DELAY=0.12
+    ANIN ON R2=R1+1.0
+    WAIT FOR B1
+    ANOUT OFF $ANOUT[1]
+    ANIN OFF R2
+    WAIT FOR FALSE
+    """)
         .start();
     controller.step(Duration.ofMillis(24));
     cell.set("R1", "0.2");

@@ -70,6 +70,13 @@ final class MessageBuiltins {
               List.of(Kind.VALUE, Kind.VALUE),
               0,
               call -> new KrlBool(window(call).answer(number(call, 0), number(call, 1)))),
+          // for the built-in MsgLoop
+          new Builtin(
+              "KSS_LOOP_MESSAGE",
+              true,
+              List.of(Kind.VALUE),
+              0,
+              call -> new KrlInt(window(call).exchangeLoop(number(call, 0)))),
           new Builtin("GET_MSGBUFFER", true, List.of(Kind.OUT), 0, MessageBuiltins::buffer));
 
   private MessageBuiltins() {}

@@ -29,6 +29,9 @@ public final class MessageWindow {
 
   private int last;
 
+  /** The handle of the message of MsgLoop; 0 without one. */
+  private int loop;
+
   /**
    * @param shownListener called for each new message
    */
@@ -48,6 +51,13 @@ public final class MessageWindow {
     }
     shownListener.accept(message);
     return last;
+  }
+
+  /** Sets the handle of the message of MsgLoop; returns the old one. */
+  int exchangeLoop(int handle) {
+    int old = loop;
+    loop = handle;
+    return old;
   }
 
   boolean exists(int handle) {

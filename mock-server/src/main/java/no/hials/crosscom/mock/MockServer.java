@@ -60,7 +60,7 @@ import org.slf4j.LoggerFactory;
  * Thread-safe. Any number of servers can run at the same time.
  */
 public final class MockServer implements AutoCloseable {
-  private static final Logger log = LoggerFactory.getLogger(MockServer.class);
+  private static final Logger LOG = LoggerFactory.getLogger(MockServer.class);
 
   private final MockServerConfig config;
   private final VariableTable variables;
@@ -186,7 +186,7 @@ public final class MockServer implements AutoCloseable {
     if (server.standardDiscovery != null) {
       server.clients.threads().start("standard-discovery", server.standardDiscovery);
     }
-    log.debug("listening on {}", server.address());
+    LOG.debug("listening on {}", server.address());
     return server;
   }
 

@@ -46,7 +46,7 @@ import org.slf4j.LoggerFactory;
  * if a program is missing or has errors or a position is out of reach.
  */
 public final class C3ProgramHandler {
-  private static final Logger log = LoggerFactory.getLogger(C3ProgramHandler.class);
+  private static final Logger LOG = LoggerFactory.getLogger(C3ProgramHandler.class);
 
   private static final int AXES = 12;
   private static final TypeSwitch<C3ProgramHandler, ProgramRequest, Response, RuntimeException>
@@ -89,10 +89,10 @@ public final class C3ProgramHandler {
       String program = machine.loadFromFiles(name);
       List<KrlError> errors = machine.check(program);
       if (!errors.isEmpty() && machine.programs().contains(program)) {
-        log.warn("{} has errors: {}", program, new KrlFileException(errors).getMessage());
+        LOG.warn("{} has errors: {}", program, new KrlFileException(errors).getMessage());
       }
     } catch (KrlFileException | IllegalStateException e) {
-      log.debug("{} cannot be loaded: {}", name, e.getMessage());
+      LOG.debug("{} cannot be loaded: {}", name, e.getMessage());
     }
   }
 
@@ -134,7 +134,7 @@ public final class C3ProgramHandler {
         try {
           controller.get().releaseJog();
         } catch (IllegalStateException e) {
-          log.debug("the server was closed while a jog key was pressed");
+          LOG.debug("the server was closed while a jog key was pressed");
         }
       }
     }
@@ -182,7 +182,7 @@ public final class C3ProgramHandler {
       why = e.getMessage();
     }
     if (code != ErrorCode.SUCCESS) {
-      log.debug("{} refused: {} {}", request, code, why);
+      LOG.debug("{} refused: {} {}", request, code, why);
     }
     return new ProgramResponse(request.id(), request.type(), repeated, C3Answers.tail(code));
   }

@@ -16,7 +16,7 @@ import org.slf4j.LoggerFactory;
 
 /** Serves one client in its own thread until the client or the server closes the connection. */
 final class ClientConnection {
-  private static final Logger log = LoggerFactory.getLogger(ClientConnection.class);
+  private static final Logger LOG = LoggerFactory.getLogger(ClientConnection.class);
   private static final byte[] NOTHING = new byte[0];
 
   private final MockServerConfig config;
@@ -39,12 +39,12 @@ final class ClientConnection {
     try {
       socket.close();
     } catch (IOException e) {
-      log.debug("connection {}: close failed", number, e);
+      LOG.debug("connection {}: close failed", number, e);
     }
   }
 
   void run() {
-    log.debug("connection {} from {} opened", number, socket.getRemoteSocketAddress());
+    LOG.debug("connection {} from {} opened", number, socket.getRemoteSocketAddress());
     String reason = "the client closed it";
     try (RequestHandler handler = service.open()) {
       socket.setTcpNoDelay(true);
@@ -62,15 +62,15 @@ final class ClientConnection {
       reason = "the server was closed";
     } catch (RuntimeException e) {
       // for example from a user's predicate: the client must not wait for an answer
-      log.warn("connection {}: serving a request failed", number, e);
+      LOG.warn("connection {}: serving a request failed", number, e);
       reason = "serving a request failed";
     } catch (Error e) {
       // such as too little memory for one request: the other connections are still served
-      log.error("connection {}: serving a request failed", number, e);
+      LOG.error("connection {}: serving a request failed", number, e);
       reason = "serving a request failed";
     } finally {
       abort();
-      log.debug("connection {} closed: {}", number, reason);
+      LOG.debug("connection {} closed: {}", number, reason);
     }
   }
 
@@ -137,8 +137,8 @@ final class ClientConnection {
         Pause.of(delivery.pause());
       }
       first = false;
-      if (log.isTraceEnabled()) {
-        log.trace("connection {} > {}", number, MalformedFrameException.hex(bytes, bytes.length));
+      if (LOG.isTraceEnabled()) {
+        LOG.trace("connection {} > {}", number, MalformedFrameException.hex(bytes, bytes.length));
       }
       // with TCP_NODELAY, each write is a separate segment on the wire
       out.write(bytes);

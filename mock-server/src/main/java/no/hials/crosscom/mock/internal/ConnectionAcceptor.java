@@ -16,7 +16,7 @@ import org.slf4j.LoggerFactory;
 
 /** Accepts clients and keeps their connections. Safe for use by several threads. */
 public final class ConnectionAcceptor {
-  private static final Logger log = LoggerFactory.getLogger(ConnectionAcceptor.class);
+  private static final Logger LOG = LoggerFactory.getLogger(ConnectionAcceptor.class);
 
   /** Enough for a thousand clients that connect at the same time. */
   private static final int BACKLOG = 1024;
@@ -138,7 +138,7 @@ public final class ConnectionAcceptor {
         if (socket.isClosed()) {
           return;
         }
-        log.warn("accepting a connection failed", e);
+        LOG.warn("accepting a connection failed", e);
         try {
           Pause.of(PAUSE_AFTER_FAILED_ACCEPT);
         } catch (InterruptedException interrupted) {
@@ -156,7 +156,7 @@ public final class ConnectionAcceptor {
     synchronized (state) {
       boolean full = config.maxClients() > 0 && connections.size() >= config.maxClients();
       if (closed || full) {
-        log.debug("connection from {} closed at once", client.getRemoteSocketAddress());
+        LOG.debug("connection from {} closed at once", client.getRemoteSocketAddress());
         client.close();
         return;
       }
@@ -169,7 +169,7 @@ public final class ConnectionAcceptor {
         // the system has no thread left; those that are connected are still served
         connections.remove(connection);
         connection.abort();
-        log.error("no thread for connection {}", accepted, e);
+        LOG.error("no thread for connection {}", accepted, e);
       }
     }
   }
@@ -192,7 +192,7 @@ public final class ConnectionAcceptor {
         closeListener();
         connections.forEach(ClientConnection::abort);
         threads.interrupt();
-        log.debug("closed {}", address);
+        LOG.debug("closed {}", address);
       }
     }
   }
@@ -201,7 +201,7 @@ public final class ConnectionAcceptor {
     try {
       listener.close();
     } catch (IOException e) {
-      log.debug("closing the listening socket failed", e);
+      LOG.debug("closing the listening socket failed", e);
     }
   }
 }

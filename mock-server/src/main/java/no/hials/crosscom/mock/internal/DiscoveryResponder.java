@@ -10,7 +10,7 @@ import org.slf4j.LoggerFactory;
 
 /** Answers the questions of discovery by UDP. Other datagrams get no answer. */
 public final class DiscoveryResponder implements Runnable, AutoCloseable {
-  private static final Logger log = LoggerFactory.getLogger(DiscoveryResponder.class);
+  private static final Logger LOG = LoggerFactory.getLogger(DiscoveryResponder.class);
 
   /** One byte more than the longest question, to detect a longer one. */
   private static final int BUFFER = 33;
@@ -56,7 +56,7 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
       } catch (IOException e) {
         // for example an ICMP message that the port of the last answer is closed
         if (!socket.isClosed()) {
-          log.debug("discovery failed", e);
+          LOG.debug("discovery failed", e);
         }
       }
     }
@@ -67,13 +67,13 @@ public final class DiscoveryResponder implements Runnable, AutoCloseable {
         new String(question.getData(), 0, question.getLength(), StandardCharsets.ISO_8859_1);
     String answer = answers.to(text);
     if (answer == null) {
-      log.debug("datagram of {} bytes ignored", question.getLength());
+      LOG.debug("datagram of {} bytes ignored", question.getLength());
       return;
     }
     int port = replyPort == 0 ? question.getPort() : replyPort;
     byte[] bytes = answer.getBytes(StandardCharsets.ISO_8859_1);
     socket.send(new DatagramPacket(bytes, bytes.length, question.getAddress(), port));
-    log.debug("discovery answered to {}:{}", question.getAddress().getHostAddress(), port);
+    LOG.debug("discovery answered to {}:{}", question.getAddress().getHostAddress(), port);
   }
 
   /** Closes the socket, which ends {@link #run}. */

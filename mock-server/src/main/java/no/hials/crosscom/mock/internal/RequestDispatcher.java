@@ -27,7 +27,7 @@ import org.slf4j.LoggerFactory;
 
 /** Serves the requests of all connections, one at a time. Safe for use by several threads. */
 public final class RequestDispatcher {
-  private static final Logger log = LoggerFactory.getLogger(RequestDispatcher.class);
+  private static final Logger LOG = LoggerFactory.getLogger(RequestDispatcher.class);
 
   private final MockServerConfig config;
   private final Supplier<RequestHandler> handlers;
@@ -110,8 +110,8 @@ public final class RequestDispatcher {
    */
   ResponsePlan serve(RequestHandler handler, int connection, byte[] frame)
       throws InterruptedException {
-    if (log.isTraceEnabled()) {
-      log.trace("connection {} < {}", connection, hex(frame));
+    if (LOG.isTraceEnabled()) {
+      LOG.trace("connection {} < {}", connection, hex(frame));
     }
     Decoded decoded = decode(handler, connection, frame);
     if (decoded instanceof Message message) {
@@ -177,15 +177,15 @@ public final class RequestDispatcher {
           ? new Message(request)
           : new Unknown(hex(frame), request.id());
     } catch (UnknownFunctionException e) {
-      log.debug("connection {}: {}", connection, e.getMessage());
+      LOG.debug("connection {}: {}", connection, e.getMessage());
       return new Unknown(hex(frame), e.id());
     } catch (MalformedRequestException e) {
-      log.debug("connection {}: {}", connection, e.getMessage());
+      LOG.debug("connection {}: {}", connection, e.getMessage());
       return handler.knows(e.type())
           ? new Malformed(hex(frame), e)
           : new Unknown(hex(frame), e.id());
     } catch (MalformedFrameException e) {
-      log.debug("connection {}: {}", connection, e.getMessage());
+      LOG.debug("connection {}: {}", connection, e.getMessage());
       return new NoMessage(hex(frame));
     }
   }
@@ -195,7 +195,7 @@ public final class RequestDispatcher {
   }
 
   private static RecordedRequest refused(RecordedRequest recorded, RefusedException refused) {
-    log.debug(
+    LOG.debug(
         "connection {}: {} refused: {}",
         recorded.connection(),
         recorded.request(),
@@ -212,7 +212,7 @@ public final class RequestDispatcher {
   private static ResponsePlan deliver(
       Fault fault, @Nullable Request request, @Nullable Response response) {
     if (fault != Fault.none()) {
-      log.debug("fault: {}", fault);
+      LOG.debug("fault: {}", fault);
     }
     return ResponsePlan.of(fault, request, response == null ? null : Codec.encode(response));
   }
@@ -220,7 +220,7 @@ public final class RequestDispatcher {
   /** Counts and logs bytes that are dropped without an answer. */
   void drop(int connection, int bytes, String reason) {
     dropped.incrementAndGet();
-    log.debug("connection {}: {} bytes dropped: {}", connection, bytes, reason);
+    LOG.debug("connection {}: {} bytes dropped: {}", connection, bytes, reason);
   }
 
   /** Returns how many times bytes were dropped. */

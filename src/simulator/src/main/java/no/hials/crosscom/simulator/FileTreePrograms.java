@@ -32,7 +32,7 @@ import org.slf4j.LoggerFactory;
  * <p>Thread-safe.
  */
 final class FileTreePrograms {
-  private static final Logger log = LoggerFactory.getLogger(FileTreePrograms.class);
+  private static final Logger LOG = LoggerFactory.getLogger(FileTreePrograms.class);
 
   /**
    * The bytes of all files that a selection loads, and of the programs and lists that are still
@@ -229,7 +229,7 @@ final class FileTreePrograms {
     module.parts.forEach((end, content) -> errors.addAll(load(key, module, old, end, content)));
     module.errors = List.copyOf(errors);
     if (!errors.isEmpty()) {
-      log.warn("{} has errors: {}", key, new KrlFileException(errors).getMessage());
+      LOG.warn("{} has errors: {}", key, new KrlFileException(errors).getMessage());
     }
     synchronized (this) {
       if (loaded.get(key) == old) {
@@ -257,7 +257,7 @@ final class FileTreePrograms {
     } catch (KrlFileException e) {
       return e.errors();
     } catch (RuntimeException | VirtualMachineError e) {
-      log.warn("{} cannot be loaded", file, e);
+      LOG.warn("{} cannot be loaded", file, e);
       return error(file, "the file cannot be loaded: " + e).errors();
     }
   }
@@ -277,7 +277,7 @@ final class FileTreePrograms {
       files.put("/R1/" + file, content);
       item = files.item("/R1/" + file);
     } catch (IOException e) {
-      log.debug("{} is not shown as a file: {}", file, e.getMessage());
+      LOG.debug("{} is not shown as a file: {}", file, e.getMessage());
       return;
     }
     // parts that a client has changed are not loaded yet, so they keep their old state

@@ -33,7 +33,7 @@ import org.slf4j.LoggerFactory;
  * suspended, and steps that wait until the robot stands.
  */
 final class AdvanceRun {
-  private static final Logger log = LoggerFactory.getLogger(AdvanceRun.class);
+  private static final Logger LOG = LoggerFactory.getLogger(AdvanceRun.class);
 
   private static final TypeSwitch<AdvanceRun, MotionEvent, Void, RuntimeException> EVENTS =
       TypeSwitch.create(
@@ -198,7 +198,7 @@ final class AdvanceRun {
       limited = unlimited.withLimits(low, high);
     } catch (IllegalArgumentException e) {
       // a minimum above its maximum, perhaps because a client is about to change both
-      log.debug("the software limits stay as they were: {}", e.getMessage());
+      LOG.debug("the software limits stay as they were: {}", e.getMessage());
     }
     resolver.robot(limited);
     interpolator.robot(limited, external);

@@ -9,7 +9,7 @@ import org.slf4j.LoggerFactory;
 
 /** Runs the cycles of a controller at the pace of its clock, on its own thread. */
 public final class Pacemaker implements AutoCloseable {
-  private static final Logger log = LoggerFactory.getLogger(Pacemaker.class);
+  private static final Logger LOG = LoggerFactory.getLogger(Pacemaker.class);
   private static final double CYCLE_NANOS = ControllerCore.CYCLE_MILLIS * 1e6;
 
   /** The most cycles that are caught up with; more are skipped rather than run in a rush. */
@@ -54,7 +54,7 @@ public final class Pacemaker implements AutoCloseable {
       }
     } catch (RuntimeException e) {
       // an error in the simulation itself, which the core has shown as a message
-      log.error("the simulated controller has stopped", e);
+      LOG.error("the simulated controller has stopped", e);
     }
   }
 
@@ -84,7 +84,7 @@ public final class Pacemaker implements AutoCloseable {
   private void cycle() {
     core.cycle();
     if (failure != null && !failureLogged) {
-      log.error("a cycle of the simulated controller failed", failure);
+      LOG.error("a cycle of the simulated controller failed", failure);
       failureLogged = true;
     }
   }

@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
  * redeclared any of them; then a default replaces it.
  */
 final class SystemVariableAccess {
-  private static final Logger log = LoggerFactory.getLogger(SystemVariableAccess.class);
+  private static final Logger LOG = LoggerFactory.getLogger(SystemVariableAccess.class);
 
   private final Scope globals;
 
@@ -119,7 +119,7 @@ final class SystemVariableAccess {
       globals.write(path(name), value, Scope.Writer.SYSTEM);
       return true;
     } catch (RefusedException e) {
-      log.trace("{} cannot be set: {}", name, e.getMessage());
+      LOG.trace("{} cannot be set: {}", name, e.getMessage());
       return false;
     }
   }

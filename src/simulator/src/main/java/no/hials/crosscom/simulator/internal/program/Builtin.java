@@ -26,7 +26,7 @@ import org.slf4j.LoggerFactory;
  */
 record Builtin(String name, boolean function, List<Kind> parameters, int optional, Body body) {
 
-  private static final Logger log = LoggerFactory.getLogger(Builtin.class);
+  private static final Logger LOG = LoggerFactory.getLogger(Builtin.class);
 
   /**
    * Executes the routine. An error in the routine itself stops the calling program only, because it
@@ -36,7 +36,7 @@ record Builtin(String name, boolean function, List<Kind> parameters, int optiona
     try {
       return body.run(call);
     } catch (RuntimeException e) {
-      log.error("{} has failed with the arguments {}", name, call.arguments(), e);
+      LOG.error("{} has failed with the arguments {}", name, call.arguments(), e);
       throw new KrlExecutionException(
           KrlExecutionException.SIMULATION_FAILED, name + " has failed: " + e);
     }

@@ -25,8 +25,8 @@ public final class ReadArrays {
   }
 
   private static void read(CrossComClient client) throws IOException {
-    double[] least = client.readRealArray("$SOFTN_END[]"); // empty brackets: the whole array
-    System.out.println("least angles of A1 to A6 in degrees: " + first(least, 6));
+    double[] lower = client.readRealArray("$SOFTN_END[]"); // empty brackets: the whole array
+    System.out.println("lower limits of A1 to A6 in degrees: " + first(lower, 6));
 
     boolean[] inputs = client.readBoolArray("$IN[]"); // 4096 elements, still one access
     System.out.println("inputs that are on: " + on(inputs));
@@ -40,8 +40,8 @@ public final class ReadArrays {
         "torques of A1 to A6 in Nm: "
             + first(Objects.requireNonNull(torques.getValue(), "it has been read"), 6));
 
-    double most = client.readReal("$SOFTP_END[1]"); // KRL indices start at 1
-    System.out.println("greatest angle of A1 in degrees: " + most);
+    double upper = client.readReal("$SOFTP_END[1]"); // KRL indices start at 1
+    System.out.println("upper limit of A1 in degrees: " + upper);
   }
 
   /** Returns indices as in KRL, starting at 1. */

@@ -235,7 +235,7 @@ class ExamplesTest {
     assertThat(run(() -> ReadArrays.main(new String[0])))
         .contains("A1 to A6 in degrees: [-170.0, -190.0, -120.0, -185.0, -120.0, -350.0]")
         .contains("inputs that are on: [1025]")
-        .contains("greatest angle of A1 in degrees: 170.0");
+        .contains("upper limit of A1 in degrees: 170.0");
   }
 
   @Test

@@ -46,7 +46,7 @@ import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
  * (docs/reference/c3-messages.md#error-codes), and scripted answers.
  */
 final class C3Answers {
-  /** The most bytes of an answer between function and tail. */
+  /** The maximum number of bytes of an answer between function and tail. */
   static final int FIELDS = Codec.MAX_FRAME_LENGTH - Codec.HEADER_LENGTH - 1 - 3;
 
   private static final int OFFSET_FIELD = 1;

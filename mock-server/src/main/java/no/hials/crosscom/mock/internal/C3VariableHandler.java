@@ -37,10 +37,12 @@ import org.jspecify.annotations.Nullable;
 public final class C3VariableHandler {
   private static final long U32 = 0xFFFF_FFFFL;
 
-  /** The most variables of a benchmark (docs/reference/c3-messages.md#benchmark-17). */
+  /**
+   * The maximum number of variables of a benchmark (docs/reference/c3-messages.md#benchmark-17).
+   */
   private static final int BENCHMARKED = 10;
 
-  /** The most iterations in an answer (docs/reference/c3-messages.md#benchmark-17). */
+  /** The maximum number of iterations in an answer (docs/reference/c3-messages.md#benchmark-17). */
   private static final long MAX_ITERATIONS = 0xFFFF_FFFEL;
 
   private static final int NANOS_PER_MILLI = 1_000_000;

@@ -41,8 +41,9 @@ public final class RequestLog {
   /**
    * Creates a log.
    *
-   * @param capacity the most requests to keep
-   * @param maxBytes the most bytes that they take, about; the last request is kept in any case
+   * @param capacity the maximum number of requests to keep
+   * @param maxBytes the maximum number of bytes that they take, about; the last request is kept in
+   *     any case
    */
   public RequestLog(int capacity, long maxBytes) {
     ring = new RecordedRequest[capacity];

@@ -48,8 +48,8 @@ public final class ControllerCore {
   public static final int CYCLE_MILLIS = 12;
 
   /**
-   * The most instructions that an interpreter executes in a cycle, so that an endless loop does not
-   * stop everything else. Assumed: the speed of the real interpreters is not known.
+   * The maximum number of instructions that an interpreter executes in a cycle, so that an endless
+   * loop does not stop everything else. Assumed: the speed of the real interpreters is not known.
    */
   private static final int ROBOT_INSTRUCTIONS = 1000;
 
@@ -397,7 +397,7 @@ public final class ControllerCore {
   /**
    * Runs cycles until a condition is true.
    *
-   * @param limit the most simulated time; rounded up to whole cycles
+   * @param limit the maximum simulated time; rounded up to whole cycles
    * @param done called before each cycle
    * @return whether it became true within the limit
    */

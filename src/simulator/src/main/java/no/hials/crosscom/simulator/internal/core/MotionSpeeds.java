@@ -29,7 +29,7 @@ final class MotionSpeeds {
 
   // assumed; with 0 a motion would never end, and axes have at least 0.1 %
 
-  private static final double LEAST_PERCENT = 0.1;
+  private static final double MIN_PERCENT = 0.1;
 
   private static final double IN_PLACE_OF_ZERO = 0.001;
   private static final double ALL = 100;
@@ -85,7 +85,7 @@ final class MotionSpeeds {
     Axis result = axes;
     for (int i = 0; i < PositionValues.ROBOT_AXES; i++) {
       double part = Math.max(0, Math.min(ALL, axes.get(i))) * share;
-      result = result.with(i, Math.max(LEAST_PERCENT, part));
+      result = result.with(i, Math.max(MIN_PERCENT, part));
     }
     return result;
   }
@@ -139,7 +139,7 @@ final class MotionSpeeds {
 
   private double part(String percentage, double otherwise) {
     double part = access.number(percentage, otherwise * ALL) / ALL;
-    return Math.max(LEAST_PERCENT / ALL, Math.min(1, part));
+    return Math.max(MIN_PERCENT / ALL, Math.min(1, part));
   }
 
   /** Returns the part of the jogging speeds that {@code $OV_JOG} asks for, above 0 to 1. */

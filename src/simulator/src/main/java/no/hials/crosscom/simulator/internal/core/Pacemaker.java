@@ -12,7 +12,7 @@ public final class Pacemaker implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Pacemaker.class);
   private static final double CYCLE_NANOS = ControllerCore.CYCLE_MILLIS * 1e6;
 
-  /** The most cycles that are caught up with; more are skipped rather than run in a rush. */
+  /** The maximum number of cycles to catch up; more are skipped rather than run in a rush. */
   private static final double MAX_LAG_CYCLES = 20;
 
   private final ControllerCore core;

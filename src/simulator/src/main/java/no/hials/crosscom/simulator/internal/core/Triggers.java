@@ -17,7 +17,7 @@ import no.hials.crosscom.simulator.internal.program.TriggerOrder;
 final class Triggers {
   private static final double MILLIS = 1000;
 
-  /** The most that rounding adds to a time, ms. */
+  /** The maximum that rounding adds to a time, ms. */
   private static final double ROUNDING = 1e-6;
 
   /** A trigger that waits for its motion, its place on the path, or its time. */

@@ -24,7 +24,10 @@ final class UntypedStorage extends Storage {
   /** Contents that were never written. */
   static final UntypedStorage EMPTY = new UntypedStorage(null, null, Map.of());
 
-  /** The most elements or components, so that a program cannot fill the memory; assumed. */
+  /**
+   * The maximum number of elements or components, so that a program cannot fill the memory;
+   * assumed.
+   */
   static final int MAX_PARTS = 4096;
 
   /** The value of a scalar or a text; null for anything else. */

@@ -9,7 +9,10 @@ import no.hials.crosscom.protocol.file.Bytes;
  * size, but allocates memory only as data arrive. Not thread-safe.
  */
 public final class TransferBuffer {
-  /** The most bytes in one message (docs/reference/c3-messages.md#file-content-29-and-30). */
+  /**
+   * The maximum number of bytes in one message
+   * (docs/reference/c3-messages.md#file-content-29-and-30).
+   */
   public static final int MAX_CHUNK = 64_512;
 
   private final ControllerFileSystem tree;
@@ -69,7 +72,7 @@ public final class TransferBuffer {
    * Reads data; at the end fewer bytes than requested.
    *
    * @param offset the position of the first byte
-   * @param count the most bytes to read
+   * @param count the maximum number of bytes to read
    */
   public Bytes read(long offset, long count) {
     int found = available(offset, Math.min(count, MAX_CHUNK));

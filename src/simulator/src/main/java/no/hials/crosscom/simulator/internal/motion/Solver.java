@@ -43,7 +43,7 @@ sealed interface Solver permits Solver.ByPose, Solver.ByAxes, Solver.ByWrist {
     /** The position is found when the TCP is this close, mm. */
     private static final double EXACT = 1e-7;
 
-    /** The most that an axis turns in an iteration, degrees. */
+    /** The maximum angle that an axis turns in an iteration, degrees. */
     private static final double MAX_STEP = 20;
 
     @Override

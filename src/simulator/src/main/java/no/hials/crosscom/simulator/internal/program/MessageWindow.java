@@ -14,7 +14,7 @@ import no.hials.crosscom.protocol.code.Interpreter;
  * (docs/reference/krl-language.md#messages). Not thread-safe.
  */
 public final class MessageWindow {
-  /** The most messages at a time, so that a loop cannot fill the memory (assumed). */
+  /** The maximum number of messages at a time, so that a loop cannot fill the memory (assumed). */
   private static final int MAX_SHOWN = 100;
 
   private record Shown(Interpreter owner, ProgramMessage message) {}

@@ -31,7 +31,7 @@ final class TextBuiltins {
   private static final int FIRST_VALUE = 4;
   private static final int VALUES = 10;
 
-  /** The longest number that a format pads to, so that a text cannot fill the memory (assumed). */
+  /** The maximum width that a format pads to, so that a text cannot fill the memory (assumed). */
   private static final int MAX_WIDTH = 255;
 
   private static final Pattern PART =
@@ -109,7 +109,7 @@ final class TextBuiltins {
       throw Operators.wrongType("a text", value);
     }
 
-    /** Java refuses the precision of an integer, which is its least number of digits in C. */
+    /** Java refuses the precision of an integer, which is its minimum number of digits in C. */
     private String integer(String type, int value) {
       if (precision < 0) {
         return printf(type, false, value);

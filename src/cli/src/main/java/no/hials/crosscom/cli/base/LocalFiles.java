@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.RemoteName;
 import org.jspecify.annotations.Nullable;
 
 /** The files of this computer that commands read and write. */

@@ -13,13 +13,13 @@ import no.hials.crosscom.c3.ControllerFiles;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.RemoteName;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.WritePermission;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.cli.base.Progress;
-import no.hials.crosscom.cli.base.RemoteName;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
 import picocli.CommandLine.Command;
@@ -36,8 +36,9 @@ import picocli.CommandLine.Parameters;
           + " file.",
       "",
       "An existing local file is overwritten only after confirmation or with --yes. Each file is"
-          + " first written as NAME.RANDOM.part and renamed when it is complete. Of a symbolic link, the file that"
-          + " it points to is overwritten; devices, pipes and links to nothing are refused.",
+          + " first written as NAME.RANDOM.part and renamed when it is complete. Of a symbolic"
+          + " link, the file that it points to is overwritten; devices, pipes and links to nothing"
+          + " are refused.",
       "",
       "JSON: one object per file (JSON Lines) with command, local, name and size.",
       "",

@@ -1,4 +1,4 @@
-package no.hials.crosscom.cli.base;
+package no.hials.crosscom.cell;
 
 import java.util.Locale;
 

@@ -7,6 +7,7 @@ import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedSet;
 import java.util.function.BooleanSupplier;
 import no.hials.crosscom.kinematics.RobotModel;
@@ -344,6 +345,15 @@ public final class Controller implements AutoCloseable {
    */
   public List<Message> messages() {
     return core.messages();
+  }
+
+  /**
+   * Returns the dialogue that {@link #answer} answers.
+   *
+   * @return the oldest dialogue that a program shows; empty if none is shown
+   */
+  public Optional<Message> dialogue() {
+    return core.dialogue();
   }
 
   /**

@@ -436,8 +436,10 @@ class KssRoutinesTest {
     assertThatThrownBy(() -> controller.answer(3))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("answer: the dialogue has the keys [left, right], was given number 3");
+    assertThat(controller.dialogue()).contains(message);
     controller.answer(2);
     controller.step(Duration.ofMillis(100));
+    assertThat(controller.dialogue()).isEmpty();
     assertThat(get("I1")).isEqualTo("6");
     assertThat(get("I2")).isEqualTo("1");
     assertThatThrownBy(() -> controller.answer(1))

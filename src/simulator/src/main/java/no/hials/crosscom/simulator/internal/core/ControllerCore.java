@@ -327,6 +327,10 @@ public final class ControllerCore {
     return locked(panel::messages);
   }
 
+  public Optional<Message> dialogue() {
+    return locked(panel::dialogue);
+  }
+
   public void answer(int key) {
     change(() -> panel.answer(key));
   }

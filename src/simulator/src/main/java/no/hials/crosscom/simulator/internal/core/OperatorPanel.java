@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -125,6 +126,19 @@ final class OperatorPanel {
   /** Returns the messages of programs. */
   MessageWindow programs() {
     return programs;
+  }
+
+  /** Returns the oldest dialogue that is shown, unless its message is no longer kept. */
+  Optional<Message> dialogue() {
+    return programs
+        .dialogue()
+        .flatMap(
+            shown ->
+                messages.stream()
+                    .filter(it -> it.kind() == Message.Kind.DIALOGUE)
+                    .filter(it -> it.text().equals(shown.fullText()))
+                    .filter(it -> it.keys().equals(shown.keys()))
+                    .reduce((earlier, later) -> later));
   }
 
   /**

@@ -6,12 +6,15 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.BiPredicate;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.DataList;
@@ -36,6 +39,7 @@ public final class Catalogue {
   private final Map<String, CatalogueEntry> variables = new TreeMap<>();
   private final Map<String, List<CatalogueEntry>> structures = new TreeMap<>();
   private final Map<String, List<String>> enumerations = new TreeMap<>();
+  private final Map<String, Set<String>> signals = new TreeMap<>();
 
   private Catalogue() {}
 
@@ -45,6 +49,7 @@ public final class Catalogue {
     for (String file : BUILT_IN) {
       catalogue.add(file, resource(file), Catalogue::isSystemVariable);
     }
+    catalogue.signals.clear(); // those of one robot
     return catalogue;
   }
 
@@ -87,6 +92,7 @@ public final class Catalogue {
     all.variables.putAll(variables);
     all.structures.putAll(structures);
     all.enumerations.putAll(enumerations);
+    signals.forEach((name, names) -> all.signals.put(name, new TreeSet<>(names)));
     lists.forEach((origin, list) -> all.add(list, origin, null, (name, note) -> true));
     return all;
   }
@@ -147,6 +153,7 @@ public final class Catalogue {
 
     @Override
     public Boolean visit(Declaration.Signal signal) {
+      addSignal(signal);
       if (system) {
         VariableNote note = VariableNote.of(signal.comment());
         add(entry("SIGNAL", signal.name(), List.of(), note, origin, access), note, shown);
@@ -182,6 +189,21 @@ public final class Catalogue {
     public Boolean visit(Declaration.External external) {
       return false;
     }
+  }
+
+  private void addSignal(Declaration.Signal signal) {
+    String first = element(signal.first());
+    if (!first.isEmpty()) {
+      String last = element(signal.last());
+      signals
+          .computeIfAbsent(last.isEmpty() ? first : first + " TO " + last, it -> new TreeSet<>())
+          .add(signal.name());
+    }
+  }
+
+  /** Returns such as {@code $OUT[1]}; empty if it is not an element with a number. */
+  private static String element(Expression.@Nullable Variable variable) {
+    return variable == null ? "" : key(ExpressionText.of(variable));
   }
 
   private void add(
@@ -296,6 +318,15 @@ public final class Catalogue {
     return symbol.type().equals("BOOL")
         ? List.of()
         : enumerations.getOrDefault(key(symbol.type()), List.of());
+  }
+
+  /**
+   * Returns the names of inputs and outputs, by what they stand for: {@code $OUT[1]}, or {@code
+   * $OUT[1] TO $OUT[8]} for a number of several bits. The names of {@link #system} are empty, since
+   * each controller has its own.
+   */
+  public Map<String, Set<String>> signals() {
+    return Collections.unmodifiableMap(signals);
   }
 
   private static String key(String name) {

@@ -13,6 +13,10 @@ import no.hials.crosscom.web.internal.http.Tokens;
 import no.hials.crosscom.web.internal.jog.JogCommands;
 import no.hials.crosscom.web.internal.model.ModelCommands;
 import no.hials.crosscom.web.internal.model.ShapeFiles;
+import no.hials.crosscom.web.internal.programs.CheckCommands;
+import no.hials.crosscom.web.internal.programs.InputOutputCommands;
+import no.hials.crosscom.web.internal.programs.MessageCommands;
+import no.hials.crosscom.web.internal.programs.ProgramCommands;
 import no.hials.crosscom.web.internal.recordings.RecordingCommands;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Commands;
@@ -151,6 +155,10 @@ public final class WebServer implements AutoCloseable {
     parts.add(jog);
     sockets.atOpen(jog::show);
     jog.addTo(commands);
+    new ProgramCommands(robots, audit).addTo(commands);
+    new MessageCommands(robots, audit).addTo(commands);
+    new InputOutputCommands(robots, audit, variables::catalogue).addTo(commands);
+    new CheckCommands(robots).addTo(commands);
     server.start();
   }
 

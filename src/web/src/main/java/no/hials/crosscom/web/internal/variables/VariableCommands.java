@@ -51,6 +51,11 @@ public final class VariableCommands {
     robots.all().forEach(robot -> names(robot).load());
   }
 
+  /** Returns the variables of a robot that are known now. */
+  public Catalogue catalogue(RobotSession robot) {
+    return names(robot).catalogue();
+  }
+
   private KnownNames names(RobotSession robot) {
     return names.computeIfAbsent(
         robot,

@@ -1,0 +1,103 @@
+package no.hials.crosscom.web.internal.programs;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import no.hials.crosscom.cell.Catalogue;
+import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.RobotSession;
+import no.hials.crosscom.web.internal.robot.RobotSessions;
+import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.CommandException;
+import no.hials.crosscom.web.internal.socket.Commands;
+
+/**
+ * Names inputs and outputs, and sets the inputs of simulated robots. Outputs are written as other
+ * variables are.
+ */
+public final class InputOutputCommands {
+  private static final List<String> ARRAYS = List.of("$IN", "$OUT", "$ANIN", "$ANOUT");
+
+  private final RobotSessions robots;
+  private final Changes changes;
+  private final Function<RobotSession, Catalogue> names;
+
+  /**
+   * Creates the commands.
+   *
+   * @param names returns the known variables of a robot
+   */
+  public InputOutputCommands(
+      RobotSessions robots, AuditLog audit, Function<RobotSession, Catalogue> names) {
+    this.robots = robots;
+    this.changes = new Changes(audit);
+    this.names = names;
+  }
+
+  /** Adds the commands. */
+  public void addTo(Commands commands) {
+    commands.add("signals", Role.VIEW, this::show);
+    commands.add("set-input", Role.OPERATE, (call, answer) -> setInput(call));
+  }
+
+  private void show(Call call, ObjectNode answer) throws CommandException {
+    RobotSession robot = robots.of(call);
+    Catalogue catalogue = names.apply(robot);
+    answer.put("simulated", robot.simulation().isPresent());
+    ObjectNode lengths = answer.putObject("lengths");
+    for (String array : ARRAYS) {
+      lengths.put(array, length(catalogue, array));
+    }
+    ObjectNode signals = answer.putObject("signals");
+    for (Map.Entry<String, Set<String>> signal : catalogue.signals().entrySet()) {
+      ArrayNode list = signals.putArray(signal.getKey());
+      signal.getValue().forEach(list::add);
+    }
+  }
+
+  private static int length(Catalogue catalogue, String array) {
+    return catalogue.find(array).map(CatalogueEntry::dimensions).stream()
+        .flatMap(List::stream)
+        .findFirst()
+        .orElse(0);
+  }
+
+  /** Sets a digital or analog input, which a controller takes from its bus and a simulated has. */
+  private void setInput(Call call) throws IOException {
+    RobotSession robot = robots.of(call);
+    boolean analog = call.flag("analog");
+    String array = analog ? "$ANIN" : "$IN";
+    int number = (int) call.number("number", 1, length(names.apply(robot), array));
+    String name = array + "[" + number + "]";
+    String value =
+        analog
+            ? Double.toString(call.number("value", -1, 1))
+            : call.flag("value") ? "TRUE" : "FALSE";
+    changes.make(
+        call,
+        robot,
+        "set input",
+        name,
+        value,
+        () -> {
+          MockServer server =
+              robot
+                  .simulation()
+                  .orElseThrow(
+                      () ->
+                          new CommandException(
+                              name
+                                  + " is read-only: the controller takes it from its bus. Only"
+                                  + " inputs of a robot that this page simulates can be set."));
+          robot.lock().check(call, "set " + name);
+          server.variables().set(name, value);
+        });
+  }
+}

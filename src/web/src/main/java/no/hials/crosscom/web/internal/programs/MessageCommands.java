@@ -1,0 +1,112 @@
+package no.hials.crosscom.web.internal.programs;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.simulator.Controller;
+import no.hials.crosscom.simulator.Message;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.RobotSession;
+import no.hials.crosscom.web.internal.robot.RobotSessions;
+import no.hials.crosscom.web.internal.socket.Call;
+import no.hials.crosscom.web.internal.socket.CommandException;
+import no.hials.crosscom.web.internal.socket.Commands;
+
+/**
+ * Shows and confirms messages. No server sends the texts of messages or takes answers to dialogues:
+ * that is only for simulated robots.
+ */
+public final class MessageCommands {
+  private static final int MOST_MESSAGES = 50;
+  private static final int MOST_KEYS = 16;
+
+  private final RobotSessions robots;
+  private final Changes changes;
+
+  public MessageCommands(RobotSessions robots, AuditLog audit) {
+    this.robots = robots;
+    this.changes = new Changes(audit);
+  }
+
+  /** Adds the commands. */
+  public void addTo(Commands commands) {
+    commands.add("messages", Role.VIEW, this::show);
+    commands.add("confirm", Role.OPERATE, (call, answer) -> confirm(call));
+    commands.add("answer", Role.OPERATE, (call, answer) -> answer(call));
+  }
+
+  /** Answers with the last messages, the newest first, and the dialogue that waits. */
+  private void show(Call call, ObjectNode answer) throws CommandException {
+    Optional<Controller> simulated = robots.of(call).simulation().map(MockServer::controller);
+    answer.put("known", simulated.isPresent());
+    if (simulated.isPresent()) {
+      Controller controller = simulated.get();
+      ArrayNode list = answer.putArray("messages");
+      List<Message> all = controller.messages();
+      for (int i = all.size() - 1; i >= Math.max(0, all.size() - MOST_MESSAGES); i--) {
+        write(all.get(i), list.addObject());
+      }
+      controller.dialogue().ifPresent(it -> write(it, answer.putObject("dialogue")));
+    }
+  }
+
+  private static void write(Message message, ObjectNode json) {
+    json.put("kind", message.kind().name().toLowerCase(Locale.ROOT));
+    json.put("number", message.number());
+    json.put("text", message.text());
+    json.put("seconds", message.time().toMillis() / 1000.0);
+    message.keys().forEach(json.putArray("keys")::add);
+  }
+
+  private void confirm(Call call) throws IOException {
+    RobotSession robot = robots.of(call);
+    changes.make(
+        call,
+        robot,
+        "confirm",
+        "all messages",
+        "",
+        () -> {
+          robot.lock().check(call, "confirm all messages");
+          Optional<MockServer> simulated = robot.simulation();
+          if (simulated.isPresent() && !robot.isBridge()) {
+            int unused = simulated.get().controller().confirmAll();
+          } else {
+            robot.client().information().confirmAll();
+          }
+        });
+  }
+
+  private void answer(Call call) throws IOException {
+    RobotSession robot = robots.of(call);
+    String question = call.text("question");
+    int key = (int) call.number("key", 1, MOST_KEYS);
+    changes.make(
+        call,
+        robot,
+        "answer",
+        question,
+        Integer.toString(key),
+        () -> {
+          robot.lock().check(call, "answer the dialogue");
+          Controller controller =
+              robot
+                  .simulation()
+                  .orElseThrow(
+                      () ->
+                          new CommandException(
+                              "no server takes answers to dialogues: answer on the pendant"))
+                  .controller();
+          // the program may show another one by now
+          if (controller.dialogue().filter(it -> it.text().equals(question)).isEmpty()) {
+            throw new CommandException("this dialogue is no longer shown");
+          }
+          controller.answer(key);
+        });
+  }
+}

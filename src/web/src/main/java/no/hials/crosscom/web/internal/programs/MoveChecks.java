@@ -1,0 +1,479 @@
+package no.hials.crosscom.web.internal.programs;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import no.hials.crosscom.cell.Leaf;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds out from variables why a robot does not move. The facts are those of
+ * docs/reference/system-variables.md#modes-and-programs and
+ * docs/reference/krl-language.md#starting-a-program; an advice without a source says "assumed".
+ */
+final class MoveChecks {
+  /** The variables to read. Few controllers have those without {@code $}. */
+  static final List<String> VARIABLES =
+      List.of(
+          "$MODE_OP",
+          "$ALARM_STOP",
+          "$USER_SAF",
+          "$STOPMESS",
+          "$ROB_CAL",
+          "$PERI_RDY",
+          "$SAFETY_SW",
+          "$MOVE_ENABLE",
+          "$DRIVES_OFF",
+          "$PRO_STATE1",
+          "$PRO_NAME1[]",
+          "$PRO_MODE1",
+          "$OV_PRO",
+          "$ON_PATH",
+          "$MOVE_BCO",
+          "$WAIT_FOR[]",
+          "$ROB_STOPPED",
+          "$AXIS_ACT",
+          "$POS_ACT",
+          "$SOFTN_END[]",
+          "$SOFTP_END[]",
+          "JOV_TIMEOUT",
+          "MYPOS",
+          "MYAXIS",
+          "JOV_POS",
+          "JOV_AXIS",
+          "JOV_COMMAND");
+
+  /** A variable that nobody else reads often: with it all of them are read. */
+  static final String LAST_READ = "$ROB_CAL";
+
+  private static final int AXES = 6;
+
+  /** An axis this near to its limit, in degrees, is at it. */
+  private static final double AT_LIMIT = 0.05;
+
+  /** A target this near, in mm or degrees, is reached. */
+  private static final double REACHED = 0.01;
+
+  private static final Set<String> MANUAL = Set.of("#T1", "#T2");
+
+  private final Map<String, ReadOutcome> values;
+
+  /** Why nothing can be read; null if it can. */
+  private final @Nullable String lost;
+
+  private final List<Check> checks = new ArrayList<>();
+  private final String mode;
+  private final String state;
+
+  /** The result of a check. */
+  enum State {
+    OK,
+    PROBLEM,
+    /** It could not be read. */
+    UNKNOWN
+  }
+
+  /**
+   * A check.
+   *
+   * @param name what is checked
+   * @param state its result
+   * @param read the variables with their values, or why they could not be read
+   * @param advice what to do, or what the result means; may be empty
+   */
+  record Check(String name, State state, String read, String advice) {}
+
+  private MoveChecks(Map<String, ReadOutcome> values) {
+    this.values = values;
+    lost =
+        values.values().stream()
+            .filter(ReadOutcome::missed)
+            .map(ReadOutcome::error)
+            .findFirst()
+            .orElse(null);
+    mode = text("$MODE_OP");
+    state = text("$PRO_STATE1");
+  }
+
+  /**
+   * Returns the checks in the order of the causes: the first problem has to be solved first.
+   *
+   * @param values the results of reading {@link #VARIABLES}; those that are missing are unknown
+   */
+  static List<Check> of(Map<String, ReadOutcome> values) {
+    MoveChecks all = new MoveChecks(values);
+    all.run();
+    return all.checks;
+  }
+
+  /** Returns whether the robot moves; null if that is unknown. */
+  static @Nullable Boolean isMoving(Map<String, ReadOutcome> values) {
+    return switch (new MoveChecks(values).text("$ROB_STOPPED")) {
+      case "TRUE" -> false;
+      case "FALSE" -> true;
+      default -> null;
+    };
+  }
+
+  private void run() {
+    checkServer();
+    checkMode();
+    expect(
+        "Emergency stop",
+        "$ALARM_STOP",
+        "TRUE",
+        "An emergency stop is pressed: on the pendant, or in the cell. Release it and confirm the"
+            + " message. (That TRUE means no stop is assumed.)");
+    checkOperatorSafety();
+    expect(
+        "Messages",
+        "$STOPMESS",
+        "FALSE",
+        "A message stops the robot. Read it on the pendant, remove the cause, and confirm it.");
+    expect(
+        "Mastering",
+        "$ROB_CAL",
+        "TRUE",
+        "An axis is not mastered: master it on the pendant before a program moves the robot.");
+    checkOutside();
+    checkProgram();
+    checkOverride();
+    checkLimits();
+    if (isManual()) { // the drives are on while the enabling switch is held
+      checkStart();
+      checkDrives();
+    } else {
+      checkDrives();
+      checkStart();
+    }
+    checkSteps();
+    checkWait();
+    checkWatchdog();
+    checkTarget();
+    checkMotion();
+  }
+
+  // reading
+
+  private @Nullable KrlValue value(String name) {
+    ReadOutcome outcome = values.get(name);
+    return outcome == null || lost != null ? null : outcome.value();
+  }
+
+  /** Returns a value without quotes and blanks around it; empty if it is unknown. */
+  private String text(String name) {
+    KrlValue value = value(name);
+    return value == null ? "" : new Leaf(name, value).text().strip();
+  }
+
+  /** Returns the variables with their values, or why there are none. */
+  private String read(String... names) {
+    List<String> parts = new ArrayList<>();
+    for (String name : names) {
+      KrlValue value = value(name);
+      parts.add(value == null ? name + ": " + error(name) : name + " = " + value.print());
+    }
+    return String.join(", ", parts);
+  }
+
+  private String error(String name) {
+    ReadOutcome outcome = values.get(name);
+    return outcome == null || lost != null ? "not read" : outcome.error();
+  }
+
+  private boolean isManual() {
+    return MANUAL.contains(mode);
+  }
+
+  private boolean isActive() {
+    return state.equals("#P_ACTIVE");
+  }
+
+  private void add(String name, State result, String read, String advice) {
+    checks.add(new Check(name, result, read, advice));
+  }
+
+  /** Adds a check of a variable that should have one value. */
+  private void expect(String name, String variable, String good, String advice) {
+    String actual = text(variable);
+    State result =
+        actual.isEmpty() ? State.UNKNOWN : actual.equals(good) ? State.OK : State.PROBLEM;
+    add(name, result, read(variable), result == State.PROBLEM ? advice : "");
+  }
+
+  // the checks
+
+  private void checkServer() {
+    if (lost != null) {
+      add(
+          "Server",
+          State.PROBLEM,
+          lost,
+          "Nothing below is up to date. Is the controller on, does its server run, and is the"
+              + " network connected?");
+    } else if (values.isEmpty()) {
+      add("Server", State.UNKNOWN, "nothing read yet", "");
+    } else {
+      add("Server", State.OK, "it answers", "");
+    }
+  }
+
+  private void checkMode() {
+    String needs =
+        switch (mode) {
+          case "#T1" -> "Slow. A person holds the enabling switch and the start key.";
+          case "#T2" ->
+              "As fast as the program. A person holds the enabling switch and the start key.";
+          case "#AUT" -> "Needs drives that are on, and Start. Nobody holds an enabling switch.";
+          case "#EX" ->
+              "The PLC switches the drives on and starts the program ($DRIVES_ON, $EXT_START).";
+          default -> "Turn the mode selector to a mode.";
+        };
+    State result =
+        mode.isEmpty() ? State.UNKNOWN : mode.equals("#INVALID") ? State.PROBLEM : State.OK;
+    add("Operating mode", result, read("$MODE_OP"), mode.isEmpty() ? "" : needs);
+  }
+
+  private void checkOperatorSafety() {
+    if (isManual() && text("$USER_SAF").equals("FALSE")) {
+      add(
+          "Operator safety",
+          State.OK,
+          read("$USER_SAF"),
+          "The gate is open, which T1 and T2 permit (assumed).");
+    } else {
+      expect(
+          "Operator safety",
+          "$USER_SAF",
+          "TRUE",
+          "Close the gate and acknowledge it, so that AUT and EXT are permitted (assumed).");
+    }
+  }
+
+  private void checkOutside() {
+    if (mode.equals("#EX")) {
+      expect("Motion released by the PLC", "$MOVE_ENABLE", "TRUE", "The PLC has to set it.");
+      expect("Drives released by the PLC", "$DRIVES_OFF", "TRUE", "The PLC has to set it.");
+    }
+  }
+
+  private void checkProgram() {
+    boolean none = state.equals("#P_FREE");
+    add(
+        "Program",
+        state.isEmpty() ? State.UNKNOWN : none ? State.PROBLEM : State.OK,
+        read("$PRO_NAME1[]", "$PRO_STATE1"),
+        none
+            ? "No program is selected. Select one on the pendant, or on this page with C3 Bridge."
+            : "");
+  }
+
+  private void checkOverride() {
+    String override = text("$OV_PRO");
+    boolean zero = override.equals("0");
+    add(
+        "Override",
+        override.isEmpty() ? State.UNKNOWN : zero ? State.PROBLEM : State.OK,
+        read("$OV_PRO"),
+        zero ? "Raise the program override: at 0 % nothing moves." : "");
+  }
+
+  private void checkLimits() {
+    String name = "Software limits";
+    if (!(value("$AXIS_ACT") instanceof KrlStruct axes)
+        || !(value("$SOFTN_END[]") instanceof KrlArray least)
+        || !(value("$SOFTP_END[]") instanceof KrlArray most)
+        || least.elements().size() < AXES
+        || most.elements().size() < AXES) {
+      add(name, State.UNKNOWN, "$AXIS_ACT, $SOFTN_END[] or $SOFTP_END[] could not be read", "");
+      return;
+    }
+    List<String> reached = new ArrayList<>();
+    for (int i = 0; i < AXES; i++) {
+      double low = number(least.elements().get(i));
+      double high = number(most.elements().get(i));
+      double axis = axes.get("A" + (i + 1)).map(MoveChecks::number).orElse(Double.NaN);
+      if (axis <= low + AT_LIMIT || axis >= high - AT_LIMIT) {
+        reached.add(
+            String.format(Locale.ROOT, "A%d is at %.2f of %.2f to %.2f", i + 1, axis, low, high));
+      }
+    }
+    if (reached.isEmpty()) {
+      add(name, State.OK, "A1 to A6 are inside", "");
+    } else {
+      add(
+          name,
+          State.PROBLEM,
+          String.join(", ", reached),
+          "The axis is at its limit: it only moves back. Jog it away in T1.");
+    }
+  }
+
+  private static double number(KrlValue value) {
+    try {
+      return value.asDouble();
+    } catch (RuntimeException e) { // a controller may answer with another type
+      return Double.NaN;
+    }
+  }
+
+  private void checkStart() {
+    String advice =
+        switch (state) {
+          case "#P_RESET" ->
+              "Press Start. The first motion is the slow BCO run to the program's first point; at"
+                  + " its end the robot stops: press Start again.";
+          case "#P_STOP" -> stopAdvice();
+          case "#P_END" -> "The program has ended. Press Start to run it from its beginning.";
+          case "#P_FREE" -> "Select a program first.";
+          case "#P_ACTIVE" ->
+              text("$MOVE_BCO").equals("TRUE")
+                  ? "The slow BCO run goes on. The robot stops at its end: press Start again."
+                  : "";
+          default -> "";
+        };
+    add(
+        "Start",
+        isActive()
+            ? State.OK
+            : state.isEmpty() || state.equals("#P_FREE") ? State.UNKNOWN : State.PROBLEM,
+        read("$PRO_STATE1", "$ON_PATH"),
+        advice);
+  }
+
+  private String stopAdvice() {
+    if (text("$STOPMESS").equals("TRUE")) {
+      return "The program was stopped by a message. Confirm it, and press Start.";
+    }
+    return text("$ON_PATH").equals("FALSE")
+        ? "Press Start: the robot returns to its path by a slow BCO run and stops; press Start"
+            + " again."
+        : "The program was stopped, has reached a HALT, or is at the end of its BCO run. Press"
+            + " Start.";
+  }
+
+  private void checkDrives() {
+    boolean off = text("$PERI_RDY").equals("FALSE");
+    String advice =
+        isManual()
+            ? "The drives are off: nobody holds the enabling switch of the pendant ($SAFETY_SW = "
+                + (text("$SAFETY_SW").isEmpty() ? "unknown" : text("$SAFETY_SW"))
+                + "). Hold it, and start."
+            : mode.equals("#EX")
+                ? "The drives are off: the PLC switches them on by $DRIVES_ON."
+                : "The drives are off: switch them on at the pendant.";
+    add(
+        isManual() ? "Enabling switch and drives" : "Drives",
+        text("$PERI_RDY").isEmpty() ? State.UNKNOWN : off ? State.PROBLEM : State.OK,
+        read("$PERI_RDY"),
+        off ? advice : "");
+  }
+
+  private void checkSteps() {
+    expect(
+        "Step mode",
+        "$PRO_MODE1",
+        "#GO",
+        "The program stops after each step, and each one needs Start. Set $PRO_MODE1 to #GO to run"
+            + " through.");
+  }
+
+  private void checkWait() {
+    String waits = text("$WAIT_FOR[]");
+    boolean known = value("$WAIT_FOR[]") != null;
+    boolean problem = isActive() && !waits.isEmpty();
+    add(
+        "WAIT FOR",
+        !known ? State.UNKNOWN : problem ? State.PROBLEM : State.OK,
+        read("$WAIT_FOR[]"),
+        problem ? "The program waits until this is true: look at the input or variable." : "");
+  }
+
+  private void checkWatchdog() {
+    if (value("JOV_TIMEOUT") != null) { // few controllers have it
+      expect(
+          "Watchdog of the client",
+          "JOV_TIMEOUT",
+          "FALSE",
+          "No client sends the heartbeat within JOV_LIMIT ms: start the client, or write 0 to"
+              + " JOV_LIMIT. Then press Start.");
+    }
+  }
+
+  /** Checks what the programs of krl follow (docs/how-to/use-the-krl-programs.md). */
+  private void checkTarget() {
+    switch (text("$PRO_NAME1[]").toUpperCase(Locale.ROOT)) {
+      case "ACTUATOR" -> checkIncrement("MYPOS");
+      case "EXT_MOVE_AXIS" -> checkIncrement("MYAXIS");
+      case "FOLLOW_POS" ->
+          checkReached("JOV_POS", "$POS_ACT", List.of("X", "Y", "Z", "A", "B", "C"));
+      case "FOLLOW_AXIS" ->
+          checkReached("JOV_AXIS", "$AXIS_ACT", List.of("A1", "A2", "A3", "A4", "A5", "A6"));
+      case "PLAY_PATH" -> checkCommand();
+      default -> {
+        // not ours
+      }
+    }
+  }
+
+  private void checkIncrement(String variable) {
+    boolean zero =
+        value(variable) instanceof KrlStruct increment
+            && increment.fields().stream()
+                .filter(field -> !Set.of("S", "T").contains(field.name()))
+                .allMatch(field -> number(field.value()) == 0);
+    addTarget(
+        variable, zero, "The program adds " + variable + " again and again, and it is all zeros.");
+  }
+
+  private void checkReached(String target, String actual, List<String> fields) {
+    boolean reached =
+        value(target) instanceof KrlStruct to
+            && value(actual) instanceof KrlStruct at
+            && fields.stream().allMatch(field -> isEqual(to, at, field));
+    addTarget(target, reached, "The robot is at " + target + ": write another target.");
+  }
+
+  private static boolean isEqual(KrlStruct to, KrlStruct at, String field) {
+    double distance =
+        to.get(field).map(MoveChecks::number).orElse(Double.NaN)
+            - at.get(field).map(MoveChecks::number).orElse(Double.NaN);
+    return Math.abs(distance) <= REACHED;
+  }
+
+  private void checkCommand() {
+    addTarget(
+        "JOV_COMMAND",
+        text("JOV_COMMAND").equals("0"),
+        "The program waits for a command: write the path, and last JOV_COMMAND.");
+  }
+
+  private void addTarget(String variable, boolean problem, String advice) {
+    add(
+        "Variable that the program follows",
+        value(variable) == null ? State.UNKNOWN : problem ? State.PROBLEM : State.OK,
+        read(variable),
+        problem ? advice : "");
+  }
+
+  private void checkMotion() {
+    String stopped = text("$ROB_STOPPED");
+    boolean stands = stopped.equals("TRUE");
+    add(
+        "Motion",
+        stopped.isEmpty() || stands ? State.UNKNOWN : State.OK,
+        read("$ROB_STOPPED"),
+        !stands
+            ? ""
+            : isActive()
+                ? "The program runs and the robot stands: it computes or waits (look at the running"
+                    + " line), or the target is where the robot is."
+                : "The robot stands.");
+  }
+}

@@ -1,0 +1,102 @@
+package no.hials.crosscom.web;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.c3.TransferConfig;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class InputsAndOutputsTest {
+  @TempDir private Path folder;
+  private TestPages pages;
+  private TestSocket socket;
+
+  @BeforeEach
+  void start() throws Exception {
+    pages = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> {});
+    socket = pages.open(Role.OPERATE);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    socket.close();
+    pages.close();
+  }
+
+  private String setInput(TestSocket from, String... fields) throws InterruptedException {
+    String[] all = {"robot", "'mock'", "confirmed", "true", "", "", "", "", "", ""};
+    System.arraycopy(fields, 0, all, 4, fields.length);
+    return from.call("set-input", Arrays.copyOf(all, 4 + fields.length)).path("error").asText();
+  }
+
+  @Test
+  void signalsNameTheInputsAndOutputs() throws Exception {
+    JsonNode answer = socket.call("signals", "robot", "'mock'").path("ok");
+
+    assertThat(answer.path("lengths").path("$OUT").asInt()).isEqualTo(4096);
+    assertThat(answer.path("lengths").path("$ANIN").asInt()).isEqualTo(32);
+    assertThat(answer.path("signals").path("$OUT[1012]").toString()).isEqualTo("[\"$PERI_RDY\"]");
+    assertThat(answer.path("signals").path("$IN[1025]").toString()).contains("$MOVE_ENABLE");
+    assertThat(answer.path("simulated").asBoolean()).isTrue();
+  }
+
+  @Test
+  void aSimulatedInputIsSetWhenTheRobotIsUnlocked() throws Exception {
+    assertThat(setInput(socket, "number", "7", "value", "true"))
+        .isEqualTo("did not set $IN[7]: the robot is locked");
+    socket.call("lock", "robot", "'mock'", "locked", "false");
+
+    assertThat(setInput(socket, "number", "7", "value", "true")).isEmpty();
+    assertThat(pages.controller().variables().get("$IN[7]")).isEqualTo("TRUE");
+    assertThat(setInput(socket, "analog", "true", "number", "2", "value", "-0.5")).isEmpty();
+    assertThat(pages.controller().variables().get("$ANIN[2]")).isEqualTo("-0.500000");
+    assertThat(setInput(socket, "number", "4097", "value", "true"))
+        .isEqualTo("number must be 1.0 to 4096.0, is 4097");
+    assertThat(socket.call("audit").path("ok").path("lines").toString())
+        .contains("set input", "$IN[7]", "the robot is locked", "$ANIN[2]");
+  }
+
+  @Test
+  void inputsOfOtherControllersAreReadOnlyAndNamedByTheirOwnLists() throws Exception {
+    try (MockServer other = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
+      try (CrossComClient client = new CrossComClient(other.host(), other.port())) {
+        client
+            .files()
+            .uploadText(
+                "DEFDAT CELL PUBLIC\nSIGNAL GRIPPER $OUT[5]\nENDDAT\n",
+                "KRC:\\R1\\Program\\cell.dat",
+                TransferConfig.DEFAULT);
+      }
+      Robot robot = new Robot("mock", other.host(), other.port(), null, null, null, null);
+      try (TestPages real =
+              TestPages.start(
+                  ServerType.C3_BRIDGE,
+                  folder.resolve("real"),
+                  cfg -> cfg.robots(List.of(robot)).opener(RobotConnection::openLazily));
+          TestSocket operator = real.open(Role.OPERATE)) {
+        operator.call("lock", "robot", "'mock'", "locked", "false");
+
+        assertThat(setInput(operator, "number", "1", "value", "true"))
+            .startsWith("$IN[1] is read-only: the controller takes it from its bus.");
+        JsonNode signals = operator.call("signals", "robot", "'mock'").path("ok").path("signals");
+        while (!signals.has("$OUT[5]")) { // until the data lists are read
+          operator.awaitEvent("names");
+          signals = operator.call("signals", "robot", "'mock'").path("ok").path("signals");
+        }
+        assertThat(signals.path("$OUT[5]").toString()).isEqualTo("[\"GRIPPER\"]");
+      }
+    }
+  }
+}

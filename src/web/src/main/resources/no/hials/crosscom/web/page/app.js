@@ -13,6 +13,8 @@ const VIEWS = {
   robot: ['3-D', () => import('./view/robot.js')],
   charts: ['Charts', () => import('./view/charts.js')],
   jog: ['Jog', () => import('./view/jog.js')],
+  programs: ['Programs', () => import('./view/programs.js')],
+  io: ['In/Out', () => import('./view/io.js')],
   teach: ['Teach', () => import('./view/teach.js')],
 };
 

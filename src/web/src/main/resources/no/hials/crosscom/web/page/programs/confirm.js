@@ -1,0 +1,52 @@
+// The dialog before a change: the robot, what will happen, and the warning that goes with it.
+
+import { h } from 'preact';
+import { useState } from 'preact/hooks';
+import { Dialog } from '../dialog.js';
+import { header, mayWrite, note, state } from '../state.js';
+
+/**
+ * Asks before a change, and makes it.
+ *
+ * @param asked title, action (the word of the button), facts (names and texts), warning, work (makes
+ *     the change and returns what to say about it)
+ */
+export function Confirm({ asked, onClose }) {
+  const [busy, setBusy] = useState(false);
+  const [error, setError] = useState('');
+  const submit = async (event) => {
+    event.preventDefault();
+    setBusy(true);
+    setError('');
+    try {
+      note('done', await asked.work());
+      onClose();
+    } catch (e) {
+      setError(e.message);
+    }
+    setBusy(false);
+  };
+  const facts = [['Robot', `${state.robot}, mode ${header().mode ?? 'unknown'}`], ...asked.facts];
+  return h(
+    Dialog,
+    { title: asked.title, onClose },
+    h(
+      'form',
+      { onSubmit: submit },
+      h(
+        'dl',
+        { class: 'change' },
+        facts.map(([name, text]) => [h('dt', { key: name }, name), h('dd', null, text)]),
+      ),
+      asked.warning && h('p', { class: 'warning' }, asked.warning),
+      asked.details,
+      error && h('p', { class: 'failure', role: 'alert' }, error),
+      h(
+        'div',
+        { class: 'buttons' },
+        h('button', { type: 'button', class: 'quiet', autofocus: true, onClick: onClose }, 'Cancel'),
+        h('button', { class: 'main', disabled: busy || !mayWrite() }, asked.action),
+      ),
+    ),
+  );
+}

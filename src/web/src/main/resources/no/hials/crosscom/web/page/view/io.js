@@ -1,0 +1,361 @@
+// The view of inputs and outputs: lamps, switches and analog values, a bank at a time.
+
+import { h } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
+import { Confirm } from '../programs/confirm.js';
+import { call, onEvent, watch } from '../socket.js';
+import { header, isStale, mayWrite, note, state, useSharedState } from '../state.js';
+
+const BANK = 16;
+const ANALOG_BANK = 8;
+const MOST_FOUND = 12;
+
+/** Names and lengths; asked again when the server has read the data lists of the controller. */
+function useSignals() {
+  const { socket } = useSharedState();
+  const [answer, setAnswer] = useState({ signals: {}, lengths: {}, simulated: false });
+  useEffect(() => {
+    let wanted = true;
+    const ask = () =>
+      call('signals', { robot: state.robot })
+        .then((found) => wanted && setAnswer(found))
+        .catch((e) => wanted && note('error', e.message));
+    if (socket === 'open') {
+      ask();
+    }
+    const stop = onEvent('names', (event) => event.robot === state.robot && ask());
+    return () => {
+      wanted = false;
+      stop();
+    };
+  }, [socket]);
+  return answer;
+}
+
+/** The names of each element: of signals, and of ranges of signals with their bit. */
+function namesOf(signals) {
+  const names = {};
+  const add = (element, name) => (names[element] = [...(names[element] ?? []), name]);
+  for (const [place, list] of Object.entries(signals)) {
+    const range = /^(\$\w+)\[(\d+)\] TO \1\[(\d+)\]$/.exec(place);
+    if (range) {
+      const [, array, first, last] = range;
+      for (let n = Number(first); n <= Math.min(Number(last), Number(first) + 31); n++) {
+        list.forEach((name) => add(`${array}[${n}]`, `${name} bit ${n - first}`));
+      }
+    } else {
+      list.forEach((name) => add(place, name));
+    }
+  }
+  return names;
+}
+
+function useValues(list, names, period) {
+  const [values, setValues] = useState({});
+  useEffect(() => {
+    setValues({});
+    return watch(state.robot, list, names, period, (event) =>
+      setValues((old) => ({ ...old, ...event.values })),
+    );
+  }, [names.join(), period]);
+  return values;
+}
+
+function elements(array, first, count, length) {
+  return Array.from({ length: Math.max(0, Math.min(count, length - first + 1)) }, (_, i) => first + i).map(
+    (number) => ({ number, name: `${array}[${number}]` }),
+  );
+}
+
+function BankChoice({ title, first, size, length, onChange }) {
+  const last = Math.max(1, length - ((length - 1) % size));
+  const move = (by) => onChange(Math.min(last, Math.max(1, first + by)));
+  return h(
+    'div',
+    { class: 'bank', role: 'group', 'aria-label': `Bank of ${title}` },
+    h('button', { disabled: first <= 1, 'aria-label': 'Previous bank', onClick: () => move(-size) }, '‹'),
+    h(
+      'label',
+      null,
+      'from ',
+      h('input', {
+        type: 'number',
+        min: 1,
+        max: length || 1,
+        value: first,
+        onChange: (event) => {
+          const number = Number(event.target.value);
+          if (number >= 1 && number <= length) {
+            onChange(number - ((number - 1) % size));
+          }
+        },
+      }),
+      ` of ${length || '…'}`,
+    ),
+    h('button', { disabled: first >= last, 'aria-label': 'Next bank', onClick: () => move(size) }, '›'),
+  );
+}
+
+/** A lamp with its number and names; a switch if it can be changed. */
+function Lamp({ name, number, names, reading, onSwitch }) {
+  const known = typeof reading?.value === 'boolean';
+  const on = known && reading.value;
+  const words = known ? (on ? 'TRUE' : 'FALSE') : (reading?.error ?? '…');
+  const content = [
+    h('span', { key: 'lamp', class: `lamp ${on ? 'on' : ''} ${known ? '' : 'dark'}`, 'aria-hidden': 'true' }),
+    h('span', { key: 'number', class: 'number' }, number),
+    h('span', { key: 'names', class: 'names' }, names.join(', ')),
+    h('span', { key: 'words', class: known ? 'words reading' : 'words failure' }, words),
+  ];
+  return h(
+    'li',
+    null,
+    onSwitch
+      ? h(
+          'button',
+          {
+            class: 'io-switch',
+            role: 'switch',
+            'aria-checked': String(on),
+            'aria-label': [name, ...names].join(', '),
+            disabled: !known || !mayWrite(),
+            onClick: () => onSwitch(name, number, !on),
+          },
+          content,
+        )
+      : h('div', { class: 'io-lamp' }, content),
+  );
+}
+
+function Digital({ title, array, length, names, period, jump, onSwitch, children }) {
+  const [first, setFirst] = useState(1);
+  useEffect(() => {
+    if (jump?.array === array) {
+      setFirst(jump.number - ((jump.number - 1) % BANK));
+    }
+  }, [jump]);
+  const shown = elements(array, first, BANK, length);
+  const values = useValues(array, shown.map((one) => one.name), period);
+  return h(
+    'section',
+    { class: 'panel', 'aria-label': title },
+    h(
+      'div',
+      { class: 'text-tools' },
+      h('h2', null, title),
+      h(BankChoice, { title, first, size: BANK, length, onChange: setFirst }),
+    ),
+    h(
+      'ul',
+      { class: 'lamps' },
+      shown.map((one) =>
+        h(Lamp, { key: one.name, ...one, names: names[one.name] ?? [], reading: values[one.name], onSwitch }),
+      ),
+    ),
+    children,
+  );
+}
+
+function Analog({ title, array, length, names, period, onSet }) {
+  const [first, setFirst] = useState(1);
+  const shown = elements(array, first, ANALOG_BANK, length);
+  const values = useValues(array, shown.map((one) => one.name), period);
+  return h(
+    'section',
+    { class: 'panel', 'aria-label': title },
+    h(
+      'div',
+      { class: 'text-tools' },
+      h('h2', null, title),
+      h(BankChoice, { title, first, size: ANALOG_BANK, length, onChange: setFirst }),
+    ),
+    h(
+      'ul',
+      { class: 'analog' },
+      shown.map(({ name, number }) => {
+        const reading = values[name];
+        const known = typeof reading?.value === 'number';
+        return h(
+          'li',
+          { key: name },
+          h('span', { class: 'number' }, number),
+          h('span', { class: 'names' }, (names[name] ?? []).join(', ')),
+          known && h('meter', { min: -1, max: 1, value: reading.value, 'aria-label': name }),
+          h(
+            'span',
+            { class: known ? 'reading' : 'failure' },
+            known ? reading.value.toFixed(3) : (reading?.error ?? '…'),
+          ),
+          onSet &&
+            h(
+              'button',
+              { disabled: !known || !mayWrite(), 'aria-label': `Set ${name}`, onClick: () => onSet(name, number, reading.value) },
+              'Set …',
+            ),
+        );
+      }),
+    ),
+  );
+}
+
+function Find({ names, onJump }) {
+  const [text, setText] = useState('');
+  const wanted = text.trim().toUpperCase();
+  const found = wanted
+    ? Object.entries(names)
+        .filter(([place, list]) => /^\$(IN|OUT)\[/.test(place) && `${place} ${list}`.toUpperCase().includes(wanted))
+        .slice(0, MOST_FOUND)
+    : [];
+  const jump = (place) => {
+    const [, array, number] = /^(\$\w+)\[(\d+)\]$/.exec(place);
+    onJump({ array, number: Number(number) });
+  };
+  return h(
+    'section',
+    { class: 'panel find', 'aria-label': 'Find by name' },
+    h('input', {
+      type: 'search',
+      placeholder: 'Name of a signal …',
+      'aria-label': 'Find an input or output by its name',
+      value: text,
+      onInput: (event) => setText(event.target.value),
+    }),
+    found.map(([place, list]) =>
+      h('button', { key: place, onClick: () => jump(place) }, `${list.join(', ')} ${place}`),
+    ),
+    wanted && found.length === 0 && h('span', { class: 'hint' }, 'No SIGNAL of this name is known.'),
+  );
+}
+
+/** The dialog for an analog value needs a field in place of a fixed one. */
+function AnalogField({ value, onInput }) {
+  return h(
+    'label',
+    null,
+    'New value, -1 to 1',
+    h('input', {
+      type: 'number',
+      min: -1,
+      max: 1,
+      step: 'any',
+      required: true,
+      defaultValue: value,
+      onInput: (event) => onInput(event.target.value),
+    }),
+  );
+}
+
+export function View() {
+  useSharedState();
+  const one = header();
+  const { signals, lengths, simulated } = useSignals();
+  const [asked, setAsked] = useState(null);
+  const [asks, setAsks] = useState(true);
+  const [jump, setJump] = useState(null);
+  const names = namesOf(signals);
+  const unlocked = mayWrite();
+  useEffect(() => {
+    if (!unlocked) {
+      setAsks(true); // each person who unlocks decides again
+    }
+  }, [unlocked]);
+  // KUKAVARPROXY reads one variable after the other
+  const period = (one.server ?? '').startsWith('C3') ? 250 : 1000;
+  const write = async (name, value, before) => {
+    const { text } = await call('write', { robot: state.robot, name, value, before, confirmed: true });
+    return `${name} = ${text}`;
+  };
+  const setInput = async (fields, name) => {
+    await call('set-input', { robot: state.robot, ...fields, confirmed: true });
+    return `${name} is set`;
+  };
+  const change = async (name, value, warning, work) => {
+    if (asks) {
+      const label = [name, ...(names[name] ?? [])].join(', ');
+      setAsked({ title: `Switch ${name} ${value ? 'on' : 'off'}?`, action: value ? 'Switch on' : 'Switch off', facts: [['Signal', label]], warning, work });
+      return;
+    }
+    try {
+      await work();
+    } catch (e) {
+      note('error', e.message);
+    }
+  };
+  const switchOutput = (name, number, value) =>
+    change(name, value, 'An output can move a gripper or another machine.', () =>
+      write(name, value ? 'TRUE' : 'FALSE', value ? 'FALSE' : 'TRUE'),
+    );
+  const switchInput = (name, number, value) =>
+    change(name, value, 'A program may wait for this input, and move the robot.', () =>
+      setInput({ number, value }, name),
+    );
+  const setAnalog = (output) => (name, number, value) => {
+    let text = String(value);
+    setAsked({
+      title: `Set ${name}?`,
+      action: 'Set',
+      facts: [['Old', value.toFixed(3)]],
+      warning: output ? 'An output can move another machine.' : '',
+      details: h(AnalogField, { value, onInput: (typed) => (text = typed) }),
+      work: () =>
+        output
+          ? write(name, text, String(value))
+          : setInput({ analog: true, number, value: Number(text) }, name),
+    });
+  };
+  return h(
+    'div',
+    { class: `io ${isStale(one) ? 'stale' : ''}` },
+    h('h1', { class: 'unseen' }, 'Inputs and outputs'),
+    h(Find, { names, onJump: setJump }),
+    h(
+      Digital,
+      {
+        title: 'Inputs',
+        array: '$IN',
+        length: lengths.$IN ?? 0,
+        names,
+        period,
+        jump,
+        onSwitch: simulated ? switchInput : undefined,
+      },
+      h(
+        'p',
+        { class: 'hint' },
+        simulated
+          ? 'This robot is simulated: its inputs can be set, as its cell would.'
+          : 'The controller takes its inputs from the bus: nobody can set them from here.',
+      ),
+    ),
+    h(
+      Digital,
+      { title: 'Outputs', array: '$OUT', length: lengths.$OUT ?? 0, names, period, jump, onSwitch: switchOutput },
+      h(
+        'label',
+        { class: 'switch' },
+        h('input', {
+          type: 'checkbox',
+          checked: asks,
+          disabled: !unlocked,
+          onChange: (event) => setAsks(event.target.checked),
+        }),
+        'Ask before each switch',
+      ),
+      h(
+        'p',
+        { class: 'hint' },
+        unlocked ? 'Outputs that system signals use cannot be set.' : 'Unlock the robot, at the top, to switch outputs.',
+      ),
+    ),
+    h(Analog, {
+      title: 'Analog inputs',
+      array: '$ANIN',
+      length: lengths.$ANIN ?? 0,
+      names,
+      period,
+      onSet: simulated ? setAnalog(false) : undefined,
+    }),
+    h(Analog, { title: 'Analog outputs', array: '$ANOUT', length: lengths.$ANOUT ?? 0, names, period, onSet: setAnalog(true) }),
+    asked && h(Confirm, { asked, onClose: () => setAsked(null) }),
+  );
+}

@@ -136,6 +136,25 @@ class RobotModelTest {
   }
 
   @Test
+  void valuesOfWrongTypesAreAsMissingOnes() throws Exception {
+    try (TestPages pages =
+        startReal(
+            ServerType.KUKAVARPROXY,
+            variables -> {
+              variables.remove("$EX_AX_NUM");
+              variables.declare("$EX_AX_NUM", "BOOL", "TRUE");
+              variables.declareStruc("ODD", "BOOL X,Y");
+              variables.remove("$ROBROOT");
+              variables.declare("$ROBROOT", "ODD", "{X TRUE,Y FALSE}");
+            })) {
+      JsonNode model = model(pages);
+
+      assertThat(model.has("rail")).isFalse();
+      assertThat(model.path("root").path("X").asDouble()).isZero();
+    }
+  }
+
+  @Test
   void theModelNameCountsWhereThereIsNoTrafoName() throws Exception {
     try (TestPages pages =
         startReal(

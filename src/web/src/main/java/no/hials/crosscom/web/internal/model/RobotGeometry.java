@@ -17,6 +17,10 @@ import no.hials.crosscom.kinematics.Frames;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.KrlEnum;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
@@ -90,7 +94,14 @@ record RobotGeometry(
     }
 
     Optional<Double> number(String name) {
-      return find(name).map(KrlValue::asDouble);
+      return find(name).flatMap(Values::number);
+    }
+
+    /** Returns a number; empty for a value of another type, which a controller should not send. */
+    private static Optional<Double> number(KrlValue value) {
+      return value instanceof KrlInt || value instanceof KrlReal
+          ? Optional.of(value.asDouble())
+          : Optional.empty();
     }
 
     Optional<Frame> frame(String name) {
@@ -108,7 +119,7 @@ record RobotGeometry(
     }
 
     private static double field(KrlValue frame, String name) {
-      return frame.asStruct().get(name).map(KrlValue::asDouble).orElse(0.0);
+      return frame.asStruct().get(name).flatMap(Values::number).orElse(0.0);
     }
   }
 
@@ -143,6 +154,7 @@ record RobotGeometry(
     String name =
         NAMES.stream()
             .flatMap(it -> values.find(it).stream())
+            .filter(KrlString.class::isInstance)
             .map(KrlValue::asString)
             .filter(it -> !it.isBlank())
             .findFirst()
@@ -199,7 +211,10 @@ record RobotGeometry(
     Optional<Frame> unit = values.frame("$ET1_TA1KR");
     Optional<Frame> foot = values.frame("$ET1_TFLA3");
     boolean carries =
-        values.find("$EX_KIN.ET1").filter(it -> it.asEnum().equalsIgnoreCase("ERSYS")).isPresent();
+        values
+            .find("$EX_KIN.ET1")
+            .filter(it -> it instanceof KrlEnum && it.asEnum().equalsIgnoreCase("ERSYS"))
+            .isPresent();
     if (!carries || root.isEmpty() || unit.isEmpty() || foot.isEmpty() || minimum >= maximum) {
       return null;
     }

@@ -5,7 +5,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { Header } from './header.js';
 import { ReplayBar } from './replay-bar.js';
 import { connect } from './socket.js';
-import { state, useSharedState } from './state.js';
+import { ageOf, header, state, useSharedState } from './state.js';
 
 /** The views by their addresses: the title, and the module, which is loaded when it is needed. */
 const VIEWS = {
@@ -46,11 +46,15 @@ function Notes() {
   );
 }
 
-/** Shown over everything while there is no connection to the server. */
+/** Shown over everything while there is no connection to the server, or from it to the robot. */
 function Connection() {
   const { socket } = useSharedState();
   if (socket === 'open') {
-    return null;
+    const one = header();
+    // not for a blink
+    return one.reason && one.connection !== 'connected' && ageOf(one) > 1000
+      ? h('p', { class: 'banner lost', role: 'alert' }, `No connection to ${one.robot}: ${one.reason}`)
+      : null;
   }
   const texts = {
     connecting: 'Connecting to the server …',

@@ -99,7 +99,8 @@ final class Header {
     }
     synchronized (this) {
       if (readings.isMissed()) {
-        setLost(readings.values().values().iterator().next().error());
+        // a later one only counts down to the next attempt
+        setLost(reason.isEmpty() ? readings.values().values().iterator().next().error() : reason);
       } else {
         last = readings;
         values.putAll(readings.values());

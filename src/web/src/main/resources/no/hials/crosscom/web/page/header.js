@@ -67,7 +67,10 @@ function Connection({ one, stale }) {
 function Program({ name, program, programState }) {
   const words = PROGRAM_STATES[programState] ?? programState ?? '–';
   const kind = { '#P_ACTIVE': 'good', '#P_STOP': 'warn' }[programState] ?? '';
-  return h(Item, { name, kind }, program ? `${program} · ${words}` : words);
+  // on a narrow page the name is cut, the state is not
+  return program
+    ? h(Item, { name, kind: `${kind} program` }, h('span', null, program), h('span', null, ` · ${words}`))
+    : h(Item, { name, kind }, words);
 }
 
 function Padlock({ open }) {

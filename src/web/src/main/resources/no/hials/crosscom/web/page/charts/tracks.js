@@ -27,6 +27,9 @@ class Variable {
   times = new Float64Array(SMALLEST);
   columns = new Map();
 
+  /** Why the last reading failed; undefined if it did not. */
+  error = undefined;
+
   add(time, name, value, longest) {
     if (this.end > this.first) {
       const last = this.times[this.end - 1];
@@ -89,6 +92,7 @@ class Variable {
     const result = new Variable();
     result.times = this.times.slice(this.first, this.end);
     result.end = result.times.length;
+    result.error = this.error;
     this.columns.forEach((values, leaf) =>
       result.columns.set(leaf, values.slice(this.first, this.end)),
     );
@@ -114,7 +118,9 @@ export class Tracks {
       if (!this.variables.has(name)) {
         this.variables.set(name, new Variable());
       }
-      this.variables.get(name).add(time, name, reading.value ?? null, longest);
+      const variable = this.variables.get(name);
+      variable.add(time, name, reading.value ?? null, longest);
+      variable.error = reading.error;
     }
     this.latest = Math.max(this.latest, time);
   }
@@ -131,6 +137,11 @@ export class Tracks {
   /** Returns the names of the numbers of a variable. */
   leaves(name) {
     return [...(this.variables.get(name)?.columns.keys() ?? [])];
+  }
+
+  /** Returns why the last reading of a variable failed; undefined if it did not. */
+  error(name) {
+    return this.variables.get(name)?.error;
   }
 
   /** Returns the track of a number; undefined if it was never read. */

@@ -106,7 +106,12 @@ export function Search({ names, onAdd }) {
       'aria-label': 'Search variables',
       value: text,
       onInput: (event) => setText(event.target.value),
-      onKeyDown: (event) => event.key === 'Enter' && typed && onAdd(typed),
+      onKeyDown: (event) => {
+        if (event.key === 'Enter' && typed) {
+          onAdd(typed);
+          event.target.select(); // the next name replaces it
+        }
+      },
     }),
     h(
       'p',

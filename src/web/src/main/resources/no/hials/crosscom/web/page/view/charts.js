@@ -428,7 +428,7 @@ function Lines({ picture, names, units, panels, isFirst, stale, onShow, onRemove
               '×',
             ),
         ),
-        leaves.length === 0 && h('p', { class: 'hint' }, 'No number yet.'),
+        leaves.length === 0 && h('p', { class: 'hint' }, picture.source.error?.(name) ?? 'No number yet.'),
         leaves.filter(isListed).map(row),
         others.length > 0 &&
           h(

@@ -86,8 +86,12 @@ function status(ready) {
   if (jogging().opening) {
     return ['waiting', 'Checking the robot …'];
   }
-  const why = obstacle() || jogging().reason;
-  return why ? ['refused', `Not allowed: ${why}`] : ['waiting', 'Not started'];
+  const why = obstacle();
+  if (why) {
+    return ['refused', `Not allowed: ${why}`];
+  }
+  const { reason } = jogging(); // why it did not start, or has ended
+  return reason ? ['refused', `Not jogging: ${reason}`] : ['waiting', 'Not started'];
 }
 
 function Choice({ label, values, value, show, onChoose }) {

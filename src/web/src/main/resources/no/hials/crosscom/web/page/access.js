@@ -26,7 +26,7 @@ function Code({ rows }) {
   return h(
     'svg',
     {
-      class: 'code',
+      class: 'qr',
       viewBox: `0 0 ${size} ${size}`,
       role: 'img',
       'aria-label': 'The link as a QR code',

@@ -170,7 +170,7 @@ class AccessBrowserIT {
 
     browser.find(".let-in input").sendKeys("phone");
     browser.click(".let-in .main");
-    browser.find("svg.code");
+    browser.find("svg.qr");
     browser.picture("access-" + size);
     assertThat(browser.barriers()).isEmpty();
     assertThat(browser.overflow()).isNotPositive();

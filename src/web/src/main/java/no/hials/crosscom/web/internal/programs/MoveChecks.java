@@ -324,6 +324,15 @@ final class MoveChecks {
   }
 
   private void checkStart() {
+    boolean standing = List.of("#P_RESET", "#P_STOP", "#P_END").contains(state);
+    if (standing && mode.equals("#EX")) {
+      add(
+          "Start",
+          State.PROBLEM,
+          read("$PRO_STATE1", "$ON_PATH"),
+          "The program stands. In EXT the PLC starts it ($EXT_START).");
+      return;
+    }
     String advice =
         switch (state) {
           case "#P_RESET" ->

@@ -132,6 +132,15 @@ class MoveChecksTest {
   }
 
   @Test
+  void inExtThePlcStartsTheProgram() throws Exception {
+    run();
+    controller.setMode(OperatingMode.EXT);
+
+    assertThat(problems()).contains("Start");
+    assertThat(advice("Start")).contains("the PLC starts it").doesNotContain("Press");
+  }
+
+  @Test
   void aRunningProgramHasNoProblem() throws Exception {
     run();
 

@@ -40,7 +40,8 @@ import picocli.CommandLine.Option;
 @Command(
     name = "web",
     description = {
-      "Shows robots on a web page until Ctrl-C: variables, the robot in 3-D, jogging and charts.",
+      "Shows robots on a web page until Ctrl-C: variables, charts, the robot in 3-D, jogging,"
+          + " programs, inputs and outputs.",
       "The first line of stdout is the link to open, which works once."
     },
     footer = {

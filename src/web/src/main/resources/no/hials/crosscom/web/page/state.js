@@ -82,6 +82,18 @@ export function mayOperate() {
   return state.who.role !== 'VIEW';
 }
 
+/** Returns why this browser cannot change the chosen robot, or what allows it; empty if it can. */
+export function writeHint(purpose) {
+  if (mayWrite()) {
+    return '';
+  }
+  const readOnlyBy = header().lock?.read_only_by;
+  if (readOnlyBy) {
+    return `The robot is read-only: ${readOnlyBy}.`;
+  }
+  return mayOperate() ? `Unlock the robot, at the top, ${purpose}.` : 'This browser may only view.';
+}
+
 export function chooseRobot(name) {
   state.robot = name;
   localStorage.setItem('robot', name);

@@ -65,6 +65,29 @@ class AccessBrowserIT {
         .startsWith("This link is not valid, is too old, or was used before.");
   }
 
+  @Test
+  void aBrowserThatMayOnlyViewIsNotAskedToUnlock(Browser browser) {
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.open(pages.at("/?view=io#/io"));
+    browser.await("document.querySelector('main')?.textContent.includes('may only view')");
+
+    assertThat(browser.text("main")).doesNotContain("Unlock");
+  }
+
+  /** Here a viewer reads why nothing is live, without pointing at anything. */
+  @Test
+  void thePageShowsWhyTheRobotIsLost(Browser browser) {
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.await(LIVE);
+
+    pages.controller().refuseConnections();
+    pages.controller().disconnectClients();
+
+    browser.await("document.querySelector('.banner')");
+    assertThat(browser.text(".banner")).startsWith("No connection to mock: ");
+    assertThat(browser.barriers()).isEmpty();
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"<script>hacked=1</script>", "<img src=x onerror=hacked=1>"})
   void aValueThatIsMarkupIsShownAsText(String markup, Browser browser) {

@@ -2,7 +2,7 @@
 
 import { h } from 'preact';
 import { call } from '../socket.js';
-import { header, isStale, mayWrite, note, state } from '../state.js';
+import { header, isStale, mayWrite, note, state, writeHint } from '../state.js';
 
 const STATES = {
   '#P_FREE': 'no program selected',
@@ -18,13 +18,16 @@ function startHint(robotState, values) {
   if (values['$MOVE_BCO']?.value === true) {
     return 'BCO run: the robot moves slowly to the first point of the program and stops there. Press Start again at its end.';
   }
+  if (['#P_RESET', '#P_STOP', '#P_END'].includes(robotState) && one.mode === '#EX') {
+    return 'In EXT the PLC starts the program.';
+  }
   if (robotState === '#P_STOP' && one.stop === 'TRUE') {
     return 'Stopped by a message: confirm it, then press Start.';
   }
   if (robotState === '#P_STOP' && values['$ON_PATH']?.value === true) {
     return 'Stopped on its path, as at the end of the BCO run. Press Start again to go on.';
   }
-  if (['#P_RESET', '#P_STOP', '#P_END'].includes(robotState) && one.mode !== '#EX') {
+  if (['#P_RESET', '#P_STOP', '#P_END'].includes(robotState)) {
     return 'The next Start is the BCO run: slow, to the first point, where the robot stops. Then press Start again.';
   }
   return '';
@@ -152,7 +155,7 @@ export function Interpreters({ known, values, onAsk }) {
         'p',
         { class: 'hint' },
         'Stop works only while the network works. It is not an emergency stop.',
-        !mayWrite() && ' Unlock the robot, at the top, to use the buttons.',
+        ` ${writeHint('to use the buttons')}`,
       ),
   );
 }

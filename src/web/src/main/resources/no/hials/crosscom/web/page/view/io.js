@@ -4,7 +4,7 @@ import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { Confirm } from '../programs/confirm.js';
 import { call, onEvent, watch } from '../socket.js';
-import { header, isStale, mayWrite, note, state, useSharedState } from '../state.js';
+import { header, isStale, mayWrite, note, state, useSharedState, writeHint } from '../state.js';
 
 const BANK = 16;
 const ANALOG_BANK = 8;
@@ -344,7 +344,7 @@ export function View() {
       h(
         'p',
         { class: 'hint' },
-        unlocked ? 'Outputs that system signals use cannot be set.' : 'Unlock the robot, at the top, to switch outputs.',
+        unlocked ? 'Outputs that system signals use cannot be set.' : writeHint('to switch outputs'),
       ),
     ),
     h(Analog, {

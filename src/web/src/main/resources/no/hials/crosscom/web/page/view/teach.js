@@ -4,7 +4,7 @@
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { header, mayWrite, note, state, useSharedState } from '../state.js';
+import { header, mayWrite, note, state, useSharedState, writeHint } from '../state.js';
 import { View as Robot } from './robot.js';
 
 const MODES = { T1: '#T1', T2: '#T2', AUT: '#AUT', EXT: '#EX' };
@@ -324,7 +324,7 @@ export function View() {
       'div',
       { class: 'controls' },
       h('h1', { class: 'unseen' }, 'Teach'),
-      !mayWrite() && h('p', { class: 'panel hint' }, 'Unlock the robot, at the top, to change it.'),
+      !mayWrite() && h('p', { class: 'panel hint' }, writeHint('to change it')),
       h(Programs, { onChange: ask }),
       h(Mode),
       h(EmergencyStop, { bench, onChange: ask }),

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Random;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -184,6 +185,34 @@ class SocketTest {
       assertThat(header.path("override").asText()).isEqualTo("100");
       assertThat(header.path("connection").asText()).isEqualTo("connected");
       assertThat(header.path("lock").path("open").asBoolean()).isFalse();
+    }
+  }
+
+  @Test
+  void aWriteThatCannotBeReadAfterwardsIsCalledWritten() throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      pages
+          .controller()
+          .fault(
+              request -> !request.isWrite() && request.names().contains("MYSTRING[]"),
+              Fault.closeBefore());
+
+      JsonNode answer =
+          socket.call(
+              "write",
+              "robot",
+              "'mock'",
+              "name",
+              "'MYSTRING[]'",
+              "value",
+              "'\\\"abc\\\"'",
+              "confirmed",
+              "true");
+
+      assertThat(answer.path("error").asText())
+          .startsWith("MYSTRING[] was written, but could not be read afterwards: ");
+      assertThat(pages.controller().variables().get("MYSTRING[]")).isEqualTo("\"abc\"");
     }
   }
 

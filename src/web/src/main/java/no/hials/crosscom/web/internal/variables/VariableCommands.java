@@ -172,6 +172,11 @@ public final class VariableCommands {
           new AuditLog.Entry(
               call.viewer().name(), robot.name(), "write", name, before, value, result));
     }
-    answer.put("text", robot.client().readText(name));
+    try {
+      answer.put("text", robot.client().readText(name));
+    } catch (IOException e) {
+      throw new CommandException(
+          name + " was written, but could not be read afterwards: " + e.getMessage());
+    }
   }
 }

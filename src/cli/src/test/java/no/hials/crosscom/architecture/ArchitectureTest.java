@@ -42,13 +42,13 @@ import org.junit.jupiter.api.Test;
 /** The rules of docs/CONTRIBUTING.md for modules, packages and names. */
 class ArchitectureTest {
   private static final String ROOT = "no.hials.crosscom";
-  private static final int MOST_FILES = 35;
+  private static final int MAX_FILES = 35;
 
   /** A type of the list of signatures of JOpenShowVar 0.2.2 and 0.1. */
   private static final Pattern ORIGINAL_TYPE =
       Pattern.compile("^public .*?(?:class|interface) ([\\w.]+)");
 
-  private static final int MOST_LINES = 500;
+  private static final int MAX_LINES = 500;
 
   /**
    * The client's root: 11 exceptions, the names of 0.2.2, which cannot move, and the exchanges,
@@ -214,7 +214,7 @@ class ArchitectureTest {
         .allSatisfy(
             (name, count) ->
                 assertThat(count)
-                    .isLessThanOrEqualTo(LARGE_PACKAGES.getOrDefault(name, MOST_FILES)));
+                    .isLessThanOrEqualTo(LARGE_PACKAGES.getOrDefault(name, MAX_FILES)));
   }
 
   private static boolean isTopLevel(JavaClass type) {
@@ -368,7 +368,7 @@ class ArchitectureTest {
   void aLongFileSaysWhy() throws IOException {
     List<Path> longFiles = new ArrayList<>();
     for (Path file : sources()) {
-      if (Files.readAllLines(file).size() > MOST_LINES) {
+      if (Files.readAllLines(file).size() > MAX_LINES) {
         longFiles.add(file);
       }
     }

@@ -29,8 +29,8 @@ import no.hials.crosscom.cell.FileException;
  */
 public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
   private static final int DAYS = 365;
-  private static final Duration LEAST_REST = Duration.ofDays(30);
-  private static final int MOST_SECONDS = 60;
+  private static final Duration MIN_VALIDITY = Duration.ofDays(30);
+  private static final int MAX_SECONDS = 60;
   private static final String PASSWORD = "JOPENSHOWVAR_KEYTOOL";
 
   /**
@@ -50,7 +50,7 @@ public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
       ServerCertificate kept = ServerCertificate.readPem(file, file, null);
       Instant now = Instant.now();
       if (kept.isValid(now)
-          && kept.isValid(now.plus(LEAST_REST))
+          && kept.isValid(now.plus(MIN_VALIDITY))
           && address.names().stream().allMatch(kept::isFor)) {
         return new OwnCertificate(kept, false);
       }
@@ -153,9 +153,9 @@ public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
     Path output = store.resolveSibling("keytool.txt");
     try {
       Process process = builder.redirectErrorStream(true).redirectOutput(output.toFile()).start();
-      if (!process.waitFor(MOST_SECONDS, TimeUnit.SECONDS)) {
+      if (!process.waitFor(MAX_SECONDS, TimeUnit.SECONDS)) {
         process.destroyForcibly();
-        throw new FileException("keytool has not ended within " + MOST_SECONDS + " s");
+        throw new FileException("keytool has not ended within " + MAX_SECONDS + " s");
       }
       if (process.exitValue() != 0) {
         throw new FileException("keytool failed: " + Files.readString(output).strip());

@@ -39,8 +39,8 @@ import org.eclipse.jetty.util.thread.QueuedThreadPool;
  * each robot, however many pages are open.
  */
 public final class WebServer implements AutoCloseable {
-  private static final int MOST_THREADS = 32;
-  private static final int MOST_HEADER_BYTES = 8 * 1024;
+  private static final int MAX_THREADS = 32;
+  private static final int MAX_HEADER_BYTES = 8 * 1024;
   private static final long IDLE_MILLIS = 30_000;
 
   /** Of a key store in memory, which nobody else reads. */
@@ -56,7 +56,7 @@ public final class WebServer implements AutoCloseable {
   private final List<AutoCloseable> parts = new ArrayList<>();
 
   private WebServer(WebConfig config, Clock clock) throws IOException {
-    QueuedThreadPool threads = new QueuedThreadPool(MOST_THREADS);
+    QueuedThreadPool threads = new QueuedThreadPool(MAX_THREADS);
     threads.setName("web");
     threads.setDaemon(true);
     server = new Server(threads);
@@ -72,7 +72,7 @@ public final class WebServer implements AutoCloseable {
   private ServerConnector connector(WebConfig config) {
     HttpConfiguration http = new HttpConfiguration();
     http.setSendServerVersion(false);
-    http.setRequestHeaderSize(MOST_HEADER_BYTES);
+    http.setRequestHeaderSize(MAX_HEADER_BYTES);
     ServerConnector result =
         config
             .certificate()

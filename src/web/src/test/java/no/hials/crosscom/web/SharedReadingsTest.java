@@ -21,7 +21,7 @@ class SharedReadingsTest {
   private static final int SAMPLES = 20;
 
   /** More than those that are recorded before the page is hidden. */
-  private static final int MOST_LEFT = 500;
+  private static final int MAX_LEFT = 500;
 
   @TempDir private Path folder;
 
@@ -101,7 +101,7 @@ class SharedReadingsTest {
       int last = 0;
       while (pages.controller().takeRequest(Duration.ofMillis(500)).isPresent()) {
         last++;
-        assertThat(last).as("requests after the last page was hidden").isLessThan(MOST_LEFT);
+        assertThat(last).as("requests after the last page was hidden").isLessThan(MAX_LEFT);
       }
     }
   }

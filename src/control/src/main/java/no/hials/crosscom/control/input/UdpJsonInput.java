@@ -35,7 +35,7 @@ import org.slf4j.LoggerFactory;
 public final class UdpJsonInput implements InputDevice {
   private static final Logger LOG = LoggerFactory.getLogger(UdpJsonInput.class);
   private static final int MAX_LENGTH = 2048;
-  private static final int MOST_VALUES = 100;
+  private static final int MAX_VALUES = 100;
   private static final JsonFactory JSON =
       JsonFactory.builder().enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION).build();
 
@@ -153,8 +153,8 @@ public final class UdpJsonInput implements InputDevice {
   }
 
   private static void atMost(List<?> values) throws IOException {
-    if (values.size() > MOST_VALUES) {
-      throw new IOException("expected at most " + MOST_VALUES + " values, found more");
+    if (values.size() > MAX_VALUES) {
+      throw new IOException("expected at most " + MAX_VALUES + " values, found more");
     }
   }
 

@@ -10,7 +10,7 @@ import no.hials.crosscom.web.internal.socket.Sockets;
 /** Shows the audit log to pages: its last lines as an answer, further ones as events. */
 public final class AuditCommands {
   /** So many lines can wait for a slow page. */
-  private static final int MOST_WAITING = 64;
+  private static final int MAX_WAITING = 64;
 
   private final AuditLog audit;
   private final AtomicInteger count = new AtomicInteger();
@@ -20,7 +20,7 @@ public final class AuditCommands {
     audit.addListener(
         line ->
             sockets.broadcast(
-                "audit/" + count.getAndIncrement() % MOST_WAITING,
+                "audit/" + count.getAndIncrement() % MAX_WAITING,
                 Json.event("audit").put("line", line)));
   }
 

@@ -23,7 +23,7 @@ import org.slf4j.LoggerFactory;
  */
 public final class AuditLog {
   private static final Logger LOG = LoggerFactory.getLogger(AuditLog.class);
-  private static final int MOST_RECENT = 200;
+  private static final int MAX_RECENT = 200;
 
   private final Path file;
   private final Deque<String> recent = new ArrayDeque<>();
@@ -64,7 +64,7 @@ public final class AuditLog {
     String line = line(Instant.now(), entry);
     synchronized (this) {
       recent.addLast(line);
-      if (recent.size() > MOST_RECENT) {
+      if (recent.size() > MAX_RECENT) {
         recent.removeFirst();
       }
       try {

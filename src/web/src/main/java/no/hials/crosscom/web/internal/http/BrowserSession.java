@@ -9,7 +9,7 @@ import no.hials.crosscom.web.Role;
 
 /** A browser that came with a link. Thread-safe. */
 public final class BrowserSession {
-  private static final int MOST_PAGES = 32;
+  private static final int MAX_PAGES = 32;
 
   private final int number;
   private final Role role;
@@ -27,7 +27,7 @@ public final class BrowserSession {
 
                 @Override
                 protected boolean removeEldestEntry(Map.Entry<String, Boolean> eldest) {
-                  return size() > MOST_PAGES;
+                  return size() > MAX_PAGES;
                 }
               }));
 

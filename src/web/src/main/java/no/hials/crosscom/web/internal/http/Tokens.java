@@ -29,9 +29,9 @@ public final class Tokens {
   private static final int BYTES = 32;
 
   /** More than browsers can make within the time of a link, so that they displace no other one. */
-  private static final int MOST_LINKS = 256;
+  private static final int MAX_LINKS = 256;
 
-  private static final int MOST_SESSIONS = 256;
+  private static final int MAX_SESSIONS = 256;
 
   private final Clock clock;
 
@@ -42,7 +42,7 @@ public final class Tokens {
 
         @Override
         protected boolean removeEldestEntry(Map.Entry<String, Link> eldest) {
-          return size() > MOST_LINKS;
+          return size() > MAX_LINKS;
         }
       };
 
@@ -111,7 +111,7 @@ public final class Tokens {
     BrowserSession browser;
     synchronized (this) {
       Link link = links.remove(token);
-      if (link == null || !clock.instant().isBefore(link.end) || sessions.size() >= MOST_SESSIONS) {
+      if (link == null || !clock.instant().isBefore(link.end) || sessions.size() >= MAX_SESSIONS) {
         return Optional.empty();
       }
       String issuer = link.issuer == null ? "the command line" : link.issuer.name();

@@ -25,8 +25,8 @@ import no.hials.crosscom.web.internal.socket.Viewer;
  * touch no robot.
  */
 public final class JogCommands implements AutoCloseable {
-  private static final double MOST_STEP = 10;
-  private static final double MOST_NUMBER = 1L << 53;
+  private static final double MAX_STEP = 10;
+  private static final double MAX_NUMBER = 1L << 53;
 
   /** The time after which a robot stands whose hold is over; then its position is written down. */
   private static final long BRAKING_MILLIS = 500;
@@ -142,7 +142,7 @@ public final class JogCommands implements AutoCloseable {
             (int) whole(call, "direction", HoldToRun.DIRECTIONS - 1),
             call.flag("positive"),
             call.number("percent", 1, 100) / 100,
-            call.number("step", 0, MOST_STEP));
+            call.number("step", 0, MAX_STEP));
     answer.put("mark", session.press(press));
   }
 
@@ -153,11 +153,11 @@ public final class JogCommands implements AutoCloseable {
   }
 
   private static long whole(Call call, String field) throws CommandException {
-    return whole(call, field, MOST_NUMBER);
+    return whole(call, field, MAX_NUMBER);
   }
 
-  private static long whole(Call call, String field, double most) throws CommandException {
-    double number = call.number(field, 0, most);
+  private static long whole(Call call, String field, double max) throws CommandException {
+    double number = call.number(field, 0, max);
     if (number != Math.rint(number)) {
       throw new CommandException(field + " must be a whole number, is " + number);
     }

@@ -24,7 +24,7 @@ public final class ShapeFiles implements Route {
   static final List<String> LINKS = List.of("base", "a1", "a2", "a3", "a4", "a5", "a6", "tool");
 
   /** A browser reads this much without a noticeable pause. */
-  static final long MOST_BYTES = 8L * 1024 * 1024;
+  static final long MAX_BYTES = 8L * 1024 * 1024;
 
   private static final String SUFFIX = ".stl";
 
@@ -59,8 +59,8 @@ public final class ShapeFiles implements Route {
       return false;
     }
     long bytes = Files.size(file.get());
-    if (bytes > MOST_BYTES) {
-      String reason = rest + " may have at most " + MOST_BYTES + " bytes, has " + bytes;
+    if (bytes > MAX_BYTES) {
+      String reason = rest + " may have at most " + MAX_BYTES + " bytes, has " + bytes;
       return PageHandler.refuse(response, callback, HttpStatus.PAYLOAD_TOO_LARGE_413, reason);
     }
     response.getHeaders().put(HttpHeader.CONTENT_TYPE, "model/stl");

@@ -22,8 +22,8 @@ import no.hials.crosscom.web.internal.socket.Commands;
  * that is only for simulated robots.
  */
 public final class MessageCommands {
-  private static final int MOST_MESSAGES = 50;
-  private static final int MOST_KEYS = 16;
+  private static final int MAX_MESSAGES = 50;
+  private static final int MAX_KEYS = 16;
 
   private final RobotSessions robots;
   private final Changes changes;
@@ -48,7 +48,7 @@ public final class MessageCommands {
       Controller controller = simulated.get();
       ArrayNode list = answer.putArray("messages");
       List<Message> all = controller.messages();
-      for (int i = all.size() - 1; i >= Math.max(0, all.size() - MOST_MESSAGES); i--) {
+      for (int i = all.size() - 1; i >= Math.max(0, all.size() - MAX_MESSAGES); i--) {
         write(all.get(i), list.addObject());
       }
       controller.dialogue().ifPresent(it -> write(it, answer.putObject("dialogue")));
@@ -85,7 +85,7 @@ public final class MessageCommands {
   private void answer(Call call) throws IOException {
     RobotSession robot = robots.of(call);
     String question = call.text("question");
-    int key = (int) call.number("key", 1, MOST_KEYS);
+    int key = (int) call.number("key", 1, MAX_KEYS);
     changes.make(
         call,
         robot,

@@ -29,11 +29,11 @@ import no.hials.crosscom.web.internal.socket.Commands;
 /** Shows, uploads, selects, starts and stops the programs of a controller with C3 Bridge. */
 public final class ProgramCommands {
   /** The largest file that a message of a page can carry in Base64. */
-  static final int MOST_UPLOADED = 180 * 1024;
+  static final int MAX_UPLOADED = 180 * 1024;
 
-  private static final int MOST_SHOWN = 2 * 1024 * 1024;
-  private static final int MOST_PATH = 1000;
-  private static final int MOST_ERRORS = 20;
+  private static final int MAX_SHOWN = 2 * 1024 * 1024;
+  private static final int MAX_PATH = 1000;
+  private static final int MAX_ERRORS = 20;
 
   /** A name of KRL (docs/reference/krl-language.md#declarations) with the ending of a file. */
   private static final Pattern FILE_NAME =
@@ -71,7 +71,7 @@ public final class ProgramCommands {
   // files
 
   private static String checkedPath(Call call, String field) throws CommandException {
-    String path = call.text(field, MOST_PATH).strip();
+    String path = call.text(field, MAX_PATH).strip();
     if (path.isEmpty() || path.contains("..") || path.chars().anyMatch(Character::isISOControl)) {
       throw new CommandException(field + " is not a name on a controller");
     }
@@ -100,9 +100,9 @@ public final class ProgramCommands {
       throw new CommandException("the files of the controller have no " + name);
     }
     long size = files.getProperties(name).size();
-    if (size > MOST_SHOWN) {
+    if (size > MAX_SHOWN) {
       throw new CommandException(
-          name + " has " + size + " bytes; the page shows at most " + MOST_SHOWN);
+          name + " has " + size + " bytes; the page shows at most " + MAX_SHOWN);
     }
     answer.put("name", name);
     answer.put("text", files.downloadText(name, TransferConfig.DEFAULT));
@@ -122,7 +122,7 @@ public final class ProgramCommands {
 
   private static byte[] content(Call call) throws CommandException {
     try {
-      return Base64.getDecoder().decode(call.text("content", MOST_UPLOADED * 4 / 3 + 4));
+      return Base64.getDecoder().decode(call.text("content", MAX_UPLOADED * 4 / 3 + 4));
     } catch (IllegalArgumentException e) {
       throw new CommandException("content must be Base64");
     }
@@ -139,7 +139,7 @@ public final class ProgramCommands {
     List<KrlError> errors = KrlParser.parse(RemoteName.last(path), text).errors();
     answer.put("errors", errors.size());
     ArrayNode first = answer.putArray("first");
-    errors.stream().limit(MOST_ERRORS).forEach(error -> first.add(error.toString()));
+    errors.stream().limit(MAX_ERRORS).forEach(error -> first.add(error.toString()));
   }
 
   private void upload(Call call, ObjectNode answer) throws IOException {

@@ -29,11 +29,11 @@ import no.hials.crosscom.web.internal.socket.Sockets;
 
 /** Starts, stops, lists and deletes recordings, and returns the units of what charts show. */
 public final class RecordingCommands implements AutoCloseable {
-  private static final int MOST_RUNNING = 4;
-  private static final int MOST_NAMES = 100;
-  private static final int MOST_UNITS = 1000;
-  private static final int LEAST_PERIOD = 10;
-  private static final int MOST_PERIOD = 60_000;
+  private static final int MAX_RUNNING = 4;
+  private static final int MAX_NAMES = 100;
+  private static final int MAX_UNITS = 1000;
+  private static final int MIN_PERIOD = 10;
+  private static final int MAX_PERIOD = 60_000;
   private static final DateTimeFormatter NOW =
       DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
 
@@ -85,11 +85,11 @@ public final class RecordingCommands implements AutoCloseable {
 
   private void start(Call call, ObjectNode answer) throws IOException {
     RobotSession robot = robots.of(call);
-    List<String> names = call.texts("names", MOST_NAMES).stream().map(Hub::key).distinct().toList();
+    List<String> names = call.texts("names", MAX_NAMES).stream().map(Hub::key).distinct().toList();
     if (names.isEmpty() || names.contains("")) {
       throw new CommandException("names must have at least one name, and none that is blank");
     }
-    Duration period = Duration.ofMillis((long) call.number("period", LEAST_PERIOD, MOST_PERIOD));
+    Duration period = Duration.ofMillis((long) call.number("period", MIN_PERIOD, MAX_PERIOD));
     String format = call.text("format");
     if (!format.equals("csv") && !format.equals("jsonl")) {
       throw new CommandException("format must be csv or jsonl");
@@ -98,9 +98,9 @@ public final class RecordingCommands implements AutoCloseable {
     String name = call.optionalText("name").orElseGet(() -> defaultName(robot));
     RecordingInProgress started;
     synchronized (this) {
-      if (running.size() >= MOST_RUNNING) {
+      if (running.size() >= MAX_RUNNING) {
         throw new CommandException(
-            "there are " + MOST_RUNNING + " recordings already: stop one first");
+            "there are " + MAX_RUNNING + " recordings already: stop one first");
       }
       Path file = files.newFile(name, jsonLines);
       Sampling.SamplingPlan plan = new Sampling.SamplingPlan(names, period, null, Long.MAX_VALUE);
@@ -156,7 +156,7 @@ public final class RecordingCommands implements AutoCloseable {
 
   private void units(Call call, ObjectNode answer) throws IOException {
     ObjectNode all = answer.putObject("units");
-    for (String name : call.texts("names", MOST_UNITS)) {
+    for (String name : call.texts("names", MAX_UNITS)) {
       all.put(name, units.of(name));
     }
   }

@@ -28,10 +28,10 @@ import org.eclipse.jetty.util.Callback;
  * is, {@code NAME.csv/columns} as numbers, see {@link ReplayColumns}.
  */
 final class RecordingFiles implements Route {
-  static final int MOST_FILES = 500;
+  static final int MAX_FILES = 500;
 
   /** A larger one can be downloaded; as numbers it would fill the memory of a browser. */
-  static final long MOST_BYTES_TO_REPLAY = 16L * 1024 * 1024;
+  static final long MAX_BYTES_TO_REPLAY = 16L * 1024 * 1024;
 
   static final String CSV = ".csv";
   static final String JSON_LINES = ".jsonl";
@@ -70,8 +70,8 @@ final class RecordingFiles implements Route {
           "the name of a recording must have 1 to 60 letters of A to Z, digits, - and _, begin with"
               + " a letter or digit, and be no name of a device");
     }
-    if (list().size() >= MOST_FILES) {
-      throw new CommandException("there are " + MOST_FILES + " recordings: delete one first");
+    if (list().size() >= MAX_FILES) {
+      throw new CommandException("there are " + MAX_FILES + " recordings: delete one first");
     }
     Files.createDirectories(folder);
     Path file = folder.resolve(name + (jsonLines ? JSON_LINES : CSV));
@@ -152,10 +152,10 @@ final class RecordingFiles implements Route {
   private synchronized boolean columns(Path file, Response response, Callback callback)
       throws IOException {
     long bytes = Files.size(file);
-    if (bytes > MOST_BYTES_TO_REPLAY) {
+    if (bytes > MAX_BYTES_TO_REPLAY) {
       String reason =
           "A recording that is opened may have at most "
-              + MOST_BYTES_TO_REPLAY
+              + MAX_BYTES_TO_REPLAY
               + " bytes, this one has "
               + bytes
               + ". Download it instead.";

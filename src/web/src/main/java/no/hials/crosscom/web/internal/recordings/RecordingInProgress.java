@@ -32,10 +32,10 @@ final class RecordingInProgress implements Sampling.Listener {
   private static final Logger LOG = LoggerFactory.getLogger(RecordingInProgress.class);
 
   /** Some hours of 20 values at 50 Hz. */
-  static final long MOST_CHARACTERS = 256L * 1024 * 1024;
+  static final long MAX_CHARACTERS = 256L * 1024 * 1024;
 
   private static final long STATE_NANOS = 500_000_000;
-  private static final int MOST_REASONS = 3;
+  private static final int MAX_REASONS = 3;
   private static final long SECONDS_TO_END = 10;
 
   private final String file;
@@ -91,7 +91,7 @@ final class RecordingInProgress implements Sampling.Listener {
       if (!failures.isEmpty()) {
         throw new CommandException(
             failures.stream()
-                .limit(MOST_REASONS)
+                .limit(MAX_REASONS)
                 .map(failure -> String.valueOf(failure.cause().getMessage()))
                 .reduce((one, other) -> one + "; " + other)
                 .orElse(""));
@@ -197,8 +197,8 @@ final class RecordingInProgress implements Sampling.Listener {
       told = System.nanoTime();
       listener.accept(this);
     }
-    if (characters.get() >= MOST_CHARACTERS) {
-      setReason("it has reached " + MOST_CHARACTERS / (1024 * 1024) + " MiB");
+    if (characters.get() >= MAX_CHARACTERS) {
+      setReason("it has reached " + MAX_CHARACTERS / (1024 * 1024) + " MiB");
       return false;
     }
     return true;

@@ -20,8 +20,8 @@ import no.hials.crosscom.web.internal.socket.Viewer;
 
 /** The robots of the page, and the commands that every view needs. */
 public final class RobotSessions implements AutoCloseable {
-  private static final int MOST_NAMES = 500;
-  private static final int MOST_LISTS = 50;
+  private static final int MAX_NAMES = 500;
+  private static final int MAX_LISTS = 50;
 
   private final Map<String, RobotSession> sessions = new LinkedHashMap<>();
   private final Map<Viewer, Lists> lists = new ConcurrentHashMap<>();
@@ -67,12 +67,12 @@ public final class RobotSessions implements AutoCloseable {
     private boolean closed;
 
     synchronized void put(String key, RobotSession robot, Call call) throws CommandException {
-      List<String> names = call.texts("names", MOST_NAMES);
+      List<String> names = call.texts("names", MAX_NAMES);
       Duration period = Duration.ofMillis((long) call.number("period", 10, 60_000));
       String list = call.text("list");
       remove(key);
-      if (subscriptions.size() >= MOST_LISTS) {
-        throw new CommandException("a page can have at most " + MOST_LISTS + " lists");
+      if (subscriptions.size() >= MAX_LISTS) {
+        throw new CommandException("a page can have at most " + MAX_LISTS + " lists");
       }
       if (names.isEmpty() || closed) {
         return;

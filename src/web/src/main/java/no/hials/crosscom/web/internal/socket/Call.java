@@ -13,16 +13,16 @@ import org.jspecify.annotations.Nullable;
  * @param message the message, an object
  */
 public record Call(Viewer viewer, JsonNode message) {
-  private static final int MOST_CHARACTERS = 4096;
+  private static final int MAX_CHARACTERS = 4096;
 
   /** Returns a text of at most 4096 characters. */
   public String text(String field) throws CommandException {
-    return text(field, MOST_CHARACTERS);
+    return text(field, MAX_CHARACTERS);
   }
 
   /** Returns a text. */
-  public String text(String field, int mostCharacters) throws CommandException {
-    return text(field, message.get(field), mostCharacters);
+  public String text(String field, int maxCharacters) throws CommandException {
+    return text(field, message.get(field), maxCharacters);
   }
 
   /** Returns a text; empty if the message has none. */
@@ -30,45 +30,45 @@ public record Call(Viewer viewer, JsonNode message) {
     return message.hasNonNull(field) ? Optional.of(text(field)) : Optional.empty();
   }
 
-  private static String text(String field, @Nullable JsonNode node, int most)
+  private static String text(String field, @Nullable JsonNode node, int max)
       throws CommandException {
     if (node == null || !node.isTextual()) {
       throw new CommandException(field + " must be a text");
     }
     String text = node.textValue();
-    if (text.length() > most) {
+    if (text.length() > max) {
       throw new CommandException(
-          field + " must have at most " + most + " characters, has " + text.length());
+          field + " must have at most " + max + " characters, has " + text.length());
     }
     return text;
   }
 
   /** Returns a list of texts. */
-  public List<String> texts(String field, int most) throws CommandException {
+  public List<String> texts(String field, int max) throws CommandException {
     JsonNode list = message.get(field);
     if (list == null || !list.isArray()) {
       throw new CommandException(field + " must be a list");
     }
-    if (list.size() > most) {
-      throw new CommandException(field + " must have at most " + most + " elements");
+    if (list.size() > max) {
+      throw new CommandException(field + " must have at most " + max + " elements");
     }
     List<String> texts = new ArrayList<>();
     for (JsonNode element : list) {
-      texts.add(text(field, element, MOST_CHARACTERS));
+      texts.add(text(field, element, MAX_CHARACTERS));
     }
     return texts;
   }
 
   /** Returns a number within a range. */
-  public double number(String field, double least, double most) throws CommandException {
+  public double number(String field, double min, double max) throws CommandException {
     JsonNode number = message.get(field);
     if (number == null || !number.isNumber()) {
       throw new CommandException(field + " must be a number");
     }
     double value = number.doubleValue();
-    if (!(value >= least && value <= most)) {
+    if (!(value >= min && value <= max)) {
       throw new CommandException(
-          field + " must be " + least + " to " + most + ", is " + number.asText());
+          field + " must be " + min + " to " + max + ", is " + number.asText());
     }
     return value;
   }

@@ -13,18 +13,18 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 public final class Json {
   static final NullNode NULL = NullNode.getInstance();
 
-  private static final int MOST_DEPTH = 16;
-  private static final int MOST_DIGITS = 40;
-  private static final int MOST_NAME = 200;
+  private static final int MAX_DEPTH = 16;
+  private static final int MAX_DIGITS = 40;
+  private static final int MAX_NAME = 200;
 
   private static final ObjectMapper MAPPER =
       new ObjectMapper(
           JsonFactory.builder()
               .streamReadConstraints(
                   StreamReadConstraints.builder()
-                      .maxNestingDepth(MOST_DEPTH)
-                      .maxNumberLength(MOST_DIGITS)
-                      .maxNameLength(MOST_NAME)
+                      .maxNestingDepth(MAX_DEPTH)
+                      .maxNumberLength(MAX_DIGITS)
+                      .maxNameLength(MAX_NAME)
                       .build())
               .build());
 

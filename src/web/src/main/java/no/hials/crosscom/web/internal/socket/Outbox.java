@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Outbox {
   /** The page waits for answers before it asks for more; a queue this long has another cause. */
-  private static final int MOST_ANSWERS = 256;
+  private static final int MAX_ANSWERS = 256;
 
   private final Queue<String> answers = new ArrayDeque<>();
   private final Map<String, String> events = new LinkedHashMap<>();
@@ -22,7 +22,7 @@ final class Outbox {
 
   /** Adds an answer; returns false if too many wait. */
   synchronized boolean addAnswer(String text) {
-    return answers.size() < MOST_ANSWERS && answers.add(text);
+    return answers.size() < MAX_ANSWERS && answers.add(text);
   }
 
   /** Adds an event, which replaces the one of the same key that still waits. */

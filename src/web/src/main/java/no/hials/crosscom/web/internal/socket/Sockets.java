@@ -26,12 +26,12 @@ import org.eclipse.jetty.websocket.server.ServerWebSocketContainer;
 /** Opens the sockets of pages, and knows the open ones. */
 public final class Sockets implements Route, AutoCloseable {
   /** The largest message of a page: a program of the robot fits in. */
-  static final int MOST_CHARACTERS = 256 * 1024;
+  static final int MAX_CHARACTERS = 256 * 1024;
 
-  private static final int MOST_SOCKETS = 256;
+  private static final int MAX_SOCKETS = 256;
 
   /** The page sends a message every few seconds, also if it is hidden. */
-  private static final Duration MOST_SILENCE = Duration.ofMinutes(2);
+  private static final Duration MAX_SILENCE = Duration.ofMinutes(2);
 
   private final ServerWebSocketContainer container;
   private final Commands commands;
@@ -41,10 +41,10 @@ public final class Sockets implements Route, AutoCloseable {
 
   public Sockets(Server server, Commands commands) {
     container = ServerWebSocketContainer.ensure(server);
-    container.setMaxTextMessageSize(MOST_CHARACTERS);
+    container.setMaxTextMessageSize(MAX_CHARACTERS);
     container.setMaxBinaryMessageSize(1);
-    container.setMaxFrameSize(MOST_CHARACTERS);
-    container.setIdleTimeout(MOST_SILENCE);
+    container.setMaxFrameSize(MAX_CHARACTERS);
+    container.setIdleTimeout(MAX_SILENCE);
     this.commands = commands;
     AtomicInteger number = new AtomicInteger();
     workers =
@@ -86,7 +86,7 @@ public final class Sockets implements Route, AutoCloseable {
 
   /** Adds an open socket; returns false if there are too many. */
   boolean add(Viewer viewer) {
-    if (viewers.size() >= MOST_SOCKETS) {
+    if (viewers.size() >= MAX_SOCKETS) {
       return false;
     }
     viewers.add(viewer);

@@ -23,7 +23,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private static final Logger LOG = LoggerFactory.getLogger(Viewer.class);
   private static final int MESSAGES_PER_SECOND = 200;
   private static final int MESSAGES_IN_A_BURST = 400;
-  private static final int MOST_WAITING_COMMANDS = 64;
+  private static final int MAX_WAITING_COMMANDS = 64;
 
   private static final int POLICY_VIOLATION = 1008;
 
@@ -199,7 +199,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
 
   private void enqueue(JsonNode message) {
     synchronized (this) {
-      if (waiting.size() < MOST_WAITING_COMMANDS) {
+      if (waiting.size() < MAX_WAITING_COMMANDS) {
         waiting.add(message);
         if (!working) {
           working = true;

@@ -23,7 +23,7 @@ import no.hials.crosscom.web.internal.socket.Commands;
  * shows the lessons of the tutorial.
  */
 public final class TeachCommands {
-  private static final int MOST_LATENCY_MILLIS = 5000;
+  private static final int MAX_LATENCY_MILLIS = 5000;
 
   /** The programs that move the robot by {@code MYPOS} and by {@code MYAXIS}. */
   private static final List<String> PROGRAMS = List.of("actuator", "ext_move_axis");
@@ -141,7 +141,7 @@ public final class TeachCommands {
   private void setFaults(Call call, ObjectNode answer) throws IOException {
     ServerFaults.Settings settings =
         new ServerFaults.Settings(
-            (int) call.number("latency_ms", 0, MOST_LATENCY_MILLIS),
+            (int) call.number("latency_ms", 0, MAX_LATENCY_MILLIS),
             (int) call.number("lost_percent", 0, 100),
             call.flag("silent"));
     change(call, "faults", settings.toString(), bench -> bench.faults.set(settings));

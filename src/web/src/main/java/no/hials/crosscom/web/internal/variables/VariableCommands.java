@@ -24,7 +24,7 @@ import no.hials.crosscom.web.internal.socket.Sockets;
 
 /** Searches the catalogue, and reads and writes single variables. */
 public final class VariableCommands {
-  private static final int MOST_FOUND = 500;
+  private static final int MAX_FOUND = 500;
 
   private final RobotSessions robots;
   private final AuditLog audit;
@@ -69,7 +69,7 @@ public final class VariableCommands {
 
   private void search(Call call, ObjectNode answer) throws IOException {
     List<String> words = List.of(call.text("text", 200).toLowerCase(Locale.ROOT).split("\\s+"));
-    int limit = (int) call.number("limit", 1, MOST_FOUND);
+    int limit = (int) call.number("limit", 1, MAX_FOUND);
     KnownNames known = names(robots.of(call));
     Catalogue catalogue = known.catalogue();
     List<CatalogueEntry> found =

@@ -17,11 +17,11 @@ import no.hials.crosscom.web.internal.socket.CommandException;
  * @param names the names of the variables, at most 500
  */
 record WatchList(int periodMillis, List<String> names) {
-  static final int LEAST_PERIOD = 20;
-  static final int MOST_PERIOD = 60_000;
-  static final int MOST_NAMES = 500;
+  static final int MIN_PERIOD = 20;
+  static final int MAX_PERIOD = 60_000;
+  static final int MAX_NAMES = 500;
   private static final int DEFAULT_PERIOD = 250;
-  private static final int MOST_CHARACTERS = 255;
+  private static final int MAX_CHARACTERS = 255;
   private static final Pattern PERIOD =
       Pattern.compile("#\\s*period\\s+(\\d{1,6})\\s*ms\\s*", Pattern.CASE_INSENSITIVE);
 
@@ -40,11 +40,11 @@ record WatchList(int periodMillis, List<String> names) {
       String key = name.strip().toUpperCase(Locale.ROOT);
       if (key.isEmpty()
           || key.startsWith("#")
-          || key.length() > MOST_CHARACTERS
+          || key.length() > MAX_CHARACTERS
           || key.chars().anyMatch(Character::isISOControl)) {
         throw new CommandException(
             "a name must have 1 to "
-                + MOST_CHARACTERS
+                + MAX_CHARACTERS
                 + " characters, no control characters, and not begin with #: "
                 + shortened(key));
       }
@@ -52,13 +52,13 @@ record WatchList(int periodMillis, List<String> names) {
         all.add(key);
       }
     }
-    if (all.size() > MOST_NAMES) {
+    if (all.size() > MAX_NAMES) {
       throw new CommandException(
-          "a list can have at most " + MOST_NAMES + " variables, has " + all.size());
+          "a list can have at most " + MAX_NAMES + " variables, has " + all.size());
     }
-    if (periodMillis < LEAST_PERIOD || periodMillis > MOST_PERIOD) {
+    if (periodMillis < MIN_PERIOD || periodMillis > MAX_PERIOD) {
       throw new CommandException(
-          "the period must be " + LEAST_PERIOD + " to " + MOST_PERIOD + " ms, is " + periodMillis);
+          "the period must be " + MIN_PERIOD + " to " + MAX_PERIOD + " ms, is " + periodMillis);
     }
     return new WatchList(periodMillis, all);
   }

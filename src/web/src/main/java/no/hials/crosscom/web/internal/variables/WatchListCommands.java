@@ -22,8 +22,8 @@ import org.slf4j.LoggerFactory;
 /** Keeps watch lists as text files in the folder {@code lists}, for all browsers. */
 public final class WatchListCommands {
   private static final Logger LOG = LoggerFactory.getLogger(WatchListCommands.class);
-  private static final int MOST_LISTS = 200;
-  private static final int MOST_TEXT = 200_000;
+  private static final int MAX_LISTS = 200;
+  private static final int MAX_TEXT = 200_000;
   private static final String ENDING = ".txt";
   private static final Pattern NAME =
       Pattern.compile("[\\p{L}\\p{N}]([\\p{L}\\p{N} _-]{0,58}[\\p{L}\\p{N}])?");
@@ -46,13 +46,13 @@ public final class WatchListCommands {
   }
 
   private static WatchList parse(Call call) throws CommandException {
-    return WatchList.parse(call.text("text", MOST_TEXT));
+    return WatchList.parse(call.text("text", MAX_TEXT));
   }
 
   private static WatchList list(Call call) throws CommandException {
     return WatchList.of(
-        (int) call.number("period", WatchList.LEAST_PERIOD, WatchList.MOST_PERIOD),
-        call.texts("names", WatchList.MOST_NAMES));
+        (int) call.number("period", WatchList.MIN_PERIOD, WatchList.MAX_PERIOD),
+        call.texts("names", WatchList.MAX_NAMES));
   }
 
   private static void put(WatchList list, ObjectNode json) {
@@ -74,7 +74,7 @@ public final class WatchListCommands {
       for (Path file : files) {
         String name = file.getFileName().toString();
         name = name.substring(0, name.length() - ENDING.length());
-        if (lists.size() < MOST_LISTS && NAME.matcher(name).matches()) {
+        if (lists.size() < MAX_LISTS && NAME.matcher(name).matches()) {
           try {
             lists.put(name, read(file));
           } catch (IOException e) {
@@ -87,8 +87,8 @@ public final class WatchListCommands {
   }
 
   private static WatchList read(Path file) throws IOException {
-    if (Files.size(file) > MOST_TEXT) {
-      throw new CommandException("more than " + MOST_TEXT + " bytes");
+    if (Files.size(file) > MAX_TEXT) {
+      throw new CommandException("more than " + MAX_TEXT + " bytes");
     }
     return WatchList.parse(Files.readString(file));
   }
@@ -107,8 +107,8 @@ public final class WatchListCommands {
     Path file = file(call);
     WatchList list = list(call);
     synchronized (this) {
-      if (!Files.exists(file) && read().size() >= MOST_LISTS) {
-        throw new CommandException("there are " + MOST_LISTS + " lists: delete one first");
+      if (!Files.exists(file) && read().size() >= MAX_LISTS) {
+        throw new CommandException("there are " + MAX_LISTS + " lists: delete one first");
       }
       Files.createDirectories(folder);
       Path part = Files.createTempFile(folder, "list", ".part");

@@ -6,7 +6,7 @@ import { Place } from './place.js';
 import { slots } from './tracks.js';
 
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
-const MOST_SLOTS = 600;
+const MAX_SLOTS = 600;
 const SLOT = 2; // pixels, in which there is the least and the greatest value
 const ZOOM = 1.25;
 
@@ -165,7 +165,7 @@ export class TimePanel {
     }
     this.source = source;
     this.key = key;
-    const count = Math.max(50, Math.min(MOST_SLOTS, Math.round(this.plot.width / SLOT)));
+    const count = Math.max(50, Math.min(MAX_SLOTS, Math.round(this.plot.width / SLOT)));
     const data = slots(this.lines.map(({ leaf }) => source.track(leaf)), from, to, count);
     this.plot.batch(() => {
       this.plot.setData(data, false);

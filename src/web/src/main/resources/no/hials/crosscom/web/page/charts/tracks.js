@@ -2,7 +2,7 @@
 // track is {times, values, first, end}: arrays of numbers, of which [first, end) is in use; NaN is
 // a gap. Times are in s.
 
-export const MOST_SECONDS = 600;
+export const MAX_SECONDS = 600;
 const SMALLEST = 1024;
 const LONGEST_SILENCE = 1; // s without a reading, which becomes a gap
 
@@ -48,7 +48,7 @@ class Variable {
 
   /** Adds a row without values. */
   next(time) {
-    while (this.first < this.end && time - this.times[this.first] > MOST_SECONDS + 5) {
+    while (this.first < this.end && time - this.times[this.first] > MAX_SECONDS + 5) {
       this.first++;
     }
     if (this.end === this.times.length) {

@@ -7,7 +7,7 @@ import { changed, note, state } from '../state.js';
 const BEAT_PERIOD = 50; // ms
 
 /** Without an answer for so long, the server has ended the hold. */
-const MOST_SILENCE = 300; // ms
+const MAX_SILENCE = 300; // ms
 
 /** The buttons that are held, by their directions, 0 to 5. */
 const holds = new Map();
@@ -49,8 +49,8 @@ function isHeld(one) {
 
 /** A beat shows the newest time of the server, by which the server knows how old the beat is. */
 function beat(one) {
-  if (performance.now() - one.answered > MOST_SILENCE) {
-    note('error', `the server has not answered for ${MOST_SILENCE} ms: release, and press again`);
+  if (performance.now() - one.answered > MAX_SILENCE) {
+    note('error', `the server has not answered for ${MAX_SILENCE} ms: release, and press again`);
     release(one.fields.direction);
     return;
   }

@@ -6,7 +6,7 @@ import { call } from '../socket.js';
 import { mayWrite, note, state } from '../state.js';
 
 const ROOT = 'KRC:\\R1';
-const MOST_BYTES = 180 * 1024;
+const MAX_BYTES = 180 * 1024;
 
 function useFolder(version) {
   const [folder, setFolder] = useState(`${ROOT}\\Program`);
@@ -38,8 +38,8 @@ function base64(file) {
 
 /** Checks a file, and returns the question before its upload. */
 async function uploadQuestion(file, folder, onDone) {
-  if (file.size > MOST_BYTES) {
-    throw new Error(`${file.name} has ${file.size} bytes; the page uploads at most ${MOST_BYTES}. Use 'jopenshowvar file put'.`);
+  if (file.size > MAX_BYTES) {
+    throw new Error(`${file.name} has ${file.size} bytes; the page uploads at most ${MAX_BYTES}. Use 'jopenshowvar file put'.`);
   }
   const fields = { robot: state.robot, folder, name: file.name, content: await base64(file) };
   const found = await call('upload-check', fields);

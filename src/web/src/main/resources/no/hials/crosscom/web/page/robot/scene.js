@@ -33,7 +33,7 @@ import {
 import { OrbitControls } from 'three/orbit-controls';
 import { Arm, place } from './arm.js';
 
-const MOST_SEGMENTS = 2000;
+const MAX_SEGMENTS = 2000;
 const UP = new Vector3(0, 1, 0);
 const TURN_MILLIS = 350;
 
@@ -176,7 +176,7 @@ export class RobotScene {
     this.path = new InstancedMesh(
       new CylinderGeometry(radius, radius, 1, 6, 1, true),
       new MeshBasicMaterial({ color: 0x12a594 }),
-      MOST_SEGMENTS,
+      MAX_SEGMENTS,
     );
     this.path.instanceMatrix.setUsage(DynamicDrawUsage);
     this.path.frustumCulled = false;
@@ -307,9 +307,9 @@ export class RobotScene {
     const turn = new Quaternion().setFromUnitVectors(UP, way.divideScalar(length));
     const middle = start.clone().add(end).multiplyScalar(0.5);
     const matrix = new Matrix4().compose(middle, turn, new Vector3(1, length, 1));
-    this.path.setMatrixAt(this.segments % MOST_SEGMENTS, matrix); // the oldest one goes
+    this.path.setMatrixAt(this.segments % MAX_SEGMENTS, matrix); // the oldest one goes
     this.segments++;
-    this.path.count = Math.min(this.segments, MOST_SEGMENTS);
+    this.path.count = Math.min(this.segments, MAX_SEGMENTS);
     this.path.instanceMatrix.needsUpdate = true;
     this.end = end;
   }

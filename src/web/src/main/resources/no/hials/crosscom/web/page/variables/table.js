@@ -8,7 +8,7 @@ import { mayWrite, serverTime, state } from '../state.js';
 import { Value, valueText } from '../value.js';
 
 const MARKED = 1500; // ms after a change
-const MOST_POINTS = 120;
+const MAX_POINTS = 120;
 const WIDTH = 96;
 const HEIGHT = 20;
 
@@ -45,7 +45,7 @@ class History {
       const numbers = this.numbers.get(name) ?? [];
       this.numbers.set(name, numbers);
       numbers.push(reading.value);
-      if (numbers.length > MOST_POINTS) {
+      if (numbers.length > MAX_POINTS) {
         numbers.shift();
       }
     }
@@ -80,7 +80,7 @@ function Sparkline({ numbers }) {
   const least = Math.min(...numbers);
   const range = Math.max(...numbers) - least;
   const points = numbers.map((value, i) => {
-    const x = (i * WIDTH) / (MOST_POINTS - 1);
+    const x = (i * WIDTH) / (MAX_POINTS - 1);
     const y = range === 0 ? HEIGHT / 2 : HEIGHT - 1 - ((value - least) / range) * (HEIGHT - 2);
     return `${x.toFixed(1)},${y.toFixed(1)}`;
   });

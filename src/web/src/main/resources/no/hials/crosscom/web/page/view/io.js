@@ -8,7 +8,7 @@ import { header, isStale, mayWrite, note, state, useSharedState, writeHint } fro
 
 const BANK = 16;
 const ANALOG_BANK = 8;
-const MOST_FOUND = 12;
+const MAX_FOUND = 12;
 
 /** Names and lengths; asked again when the server has read the data lists of the controller. */
 function useSignals() {
@@ -204,7 +204,7 @@ function Find({ names, onJump }) {
   const found = wanted
     ? Object.entries(names)
         .filter(([place, list]) => /^\$(IN|OUT)\[/.test(place) && `${place} ${list}`.toUpperCase().includes(wanted))
-        .slice(0, MOST_FOUND)
+        .slice(0, MAX_FOUND)
     : [];
   const jump = (place) => {
     const [, array, number] = /^(\$\w+)\[(\d+)\]$/.exec(place);

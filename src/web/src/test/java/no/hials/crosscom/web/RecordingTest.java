@@ -223,6 +223,44 @@ class RecordingTest {
     }
   }
 
+  @Test
+  void aSmallRecordingWhoseNumbersWouldFillTheMemoryIsOnlyDownloaded() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      List<String> lines = new ArrayList<>();
+      for (int i = 0; i < 3000; i++) {
+        lines.add(
+            "{\"time\":\"2026-11-23T12:00:00Z\",\"seconds\":%d,\"values\":{\"N%d\":1}}"
+                .formatted(i, i));
+      }
+      Files.write(files.resolve("a.jsonl"), lines);
+
+      HttpResponse<String> answer =
+          pages.get(pages.at("/recordings/a.jsonl/columns"), "Cookie", pages.login(Role.VIEW));
+
+      assertThat(answer.statusCode()).isEqualTo(422);
+      assertThat(answer.body())
+          .isEqualTo(
+              "a recording that is opened may have at most 4194304 numbers, this one has more;"
+                  + " download it instead\n");
+    }
+  }
+
+  @Test
+  void theNumberOfAWrongLineDoesNotCountGaps() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      String row = "{\"time\":\"2026-11-23T12:00:00Z\",\"seconds\":%d,\"failed\":1,\"values\":{}}";
+      Files.write(
+          files.resolve("a.jsonl"), List.of(row.formatted(1), row.formatted(2), "{}", "{}"));
+
+      HttpResponse<String> answer =
+          pages.get(pages.at("/recordings/a.jsonl/columns"), "Cookie", pages.login(Role.VIEW));
+
+      assertThat(answer.body()).isEqualTo("line 3 is not of a recording\n");
+    }
+  }
+
   @ParameterizedTest
   @EnumSource(ServerType.class)
   void everyViewerSeesListsAndDownloadsRecordings(ServerType type) throws Exception {

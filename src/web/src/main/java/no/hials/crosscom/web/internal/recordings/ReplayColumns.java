@@ -29,6 +29,9 @@ import no.hials.crosscom.web.internal.socket.Json;
  * constants are left out.
  */
 final class ReplayColumns {
+  /** The maximum memory of the numbers: some copies of it exist at a time. */
+  static final long MAX_BYTES = 32L * 1024 * 1024;
+
   private final Instant start;
   private final double[] seconds;
   private final Map<String, double[]> columns;
@@ -53,9 +56,13 @@ final class ReplayColumns {
 
   private static ReplayColumns readCsv(Path file) throws IOException {
     RecordedData data = RecordedData.read(file);
-    if (data.accessTimes().size() != 1 || data.series().isEmpty()) {
+    if (data.accessTimes().size() != 1) {
       throw new CommandException("a recording of several robots cannot be opened on the page");
     }
+    if (data.series().isEmpty()) {
+      throw new CommandException("the recording has no variable");
+    }
+    checkSize(data.series().get(0).seconds().length, data.series().size());
     Map<String, double[]> columns = new LinkedHashMap<>();
     List<String> texts = new ArrayList<>();
     for (RecordedColumn column : data.series()) {
@@ -79,6 +86,15 @@ final class ReplayColumns {
     return new ReplayColumns(data.start(), data.series().get(0).seconds(), columns, texts);
   }
 
+  private static void checkSize(long rows, long columns) throws CommandException {
+    if (rows * (columns + 1) * Double.BYTES > MAX_BYTES) {
+      throw new CommandException(
+          "a recording that is opened may have at most "
+              + MAX_BYTES / Double.BYTES
+              + " numbers, this one has more; download it instead");
+    }
+  }
+
   private static ReplayColumns readLines(Path file) throws IOException {
     Rows rows = new Rows();
     try (BufferedReader lines = Files.newBufferedReader(file)) {
@@ -91,7 +107,7 @@ final class ReplayColumns {
             break; // the last line is incomplete, as after a power failure
           }
           throw new CommandException(
-              "line " + (rows.count + 1) + " of " + file.getFileName() + " is not JSON");
+              "line " + (rows.lines + 1) + " of " + file.getFileName() + " is not JSON");
         }
         rows.add(row);
       }
@@ -105,12 +121,14 @@ final class ReplayColumns {
     private final Map<String, Boolean> texts = new LinkedHashMap<>();
     private double[] seconds = new double[256];
     private Instant start = Instant.EPOCH;
+    private int lines;
     private int count;
 
     void add(JsonNode row) throws CommandException {
+      lines++;
       JsonNode time = row.path("seconds");
       if (!time.isNumber() || !row.path("values").isObject()) {
-        throw new CommandException("line " + (count + 1) + " is not of a recording");
+        throw new CommandException("line " + lines + " is not of a recording");
       }
       if (count == 0) {
         try {
@@ -123,11 +141,14 @@ final class ReplayColumns {
         put(seconds[count - 1]); // a gap
       }
       put(time.doubleValue());
-      row.path("values").properties().forEach(it -> addLeaves(it.getKey(), it.getValue()));
+      for (Map.Entry<String, JsonNode> value : row.path("values").properties()) {
+        addLeaves(value.getKey(), value.getValue());
+      }
     }
 
-    private void put(double time) {
+    private void put(double time) throws CommandException {
       if (count == seconds.length) {
+        checkSize(2L * count, columns.size());
         seconds = Arrays.copyOf(seconds, 2 * count);
         columns.replaceAll((name, values) -> grown(values, seconds.length));
       }
@@ -141,15 +162,20 @@ final class ReplayColumns {
     }
 
     /** Adds the numbers of a value, by the names that the columns of CSV have. */
-    private void addLeaves(String name, JsonNode value) {
+    private void addLeaves(String name, JsonNode value) throws CommandException {
       if (value.isObject()) {
-        value.properties().forEach(it -> addLeaves(name + "." + it.getKey(), it.getValue()));
+        for (Map.Entry<String, JsonNode> field : value.properties()) {
+          addLeaves(name + "." + field.getKey(), field.getValue());
+        }
       } else if (value.isArray()) {
         String open = name.substring(0, name.length() - (name.endsWith("]") ? 1 : 0));
         for (int i = 0; i < value.size(); i++) {
           addLeaves(open + (i + 1) + "]", value.get(i));
         }
       } else if (value.isNumber() || value.isBoolean()) {
+        if (!columns.containsKey(name)) {
+          checkSize(seconds.length, columns.size() + 1L);
+        }
         columns.computeIfAbsent(name, it -> grown(new double[0], seconds.length))[count - 1] =
             value.isNumber() ? value.doubleValue() : value.booleanValue() ? 1 : 0;
       } else {

@@ -21,7 +21,21 @@ class CitationsTest {
   private static final Set<String> NOT_OURS = Set.of("target", ".git", ".idea", "node_modules");
   private static final Set<String> KINDS =
       Set.of(
-          "java", "g4", "properties", "md", "tsv", "xml", "sh", "py", "yml", "src", "sub", "dat");
+          "java",
+          "g4",
+          "properties",
+          "md",
+          "tsv",
+          "xml",
+          "sh",
+          "py",
+          "yml",
+          "src",
+          "sub",
+          "dat",
+          "js",
+          "css",
+          "html");
   private static final Pattern CITATION = Pattern.compile("\\bdocs/[\\w./-]+\\.md(#[\\w-]*)?");
 
   /** A page or a table that a text names, such as {@code docs/index.md}. */

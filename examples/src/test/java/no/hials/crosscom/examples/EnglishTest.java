@@ -19,7 +19,7 @@ class EnglishTest {
   private static final Set<String> NOT_OURS = Set.of("target", ".git", ".idea", "node_modules");
   private static final Pattern TEXT =
       Pattern.compile(
-          "[^.]+|.*\\.(java|g4|md|xml|sh|bat|py|toml|properties|yml|src|sub|dat|tsv)",
+          "[^.]+|.*\\.(java|g4|md|xml|sh|bat|py|toml|properties|yml|src|sub|dat|tsv|js|css|html)",
           Pattern.CASE_INSENSITIVE);
 
   /** May grow. Whole words, in upper or lower case. */

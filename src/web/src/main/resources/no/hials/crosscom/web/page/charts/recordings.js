@@ -7,7 +7,7 @@ import { closeReplay, openReplay } from '../replay.js';
 import { call, onEvent } from '../socket.js';
 import { mayOperate, note, state, useSharedState } from '../state.js';
 
-/** What the 3-D view shows. */
+/** The variables of the 3-D view. */
 const POSE = ['$AXIS_ACT', '$POS_ACT', '$BASE', '$TOOL'];
 
 function useRecordings() {

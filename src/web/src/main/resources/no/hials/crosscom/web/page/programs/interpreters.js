@@ -12,7 +12,7 @@ const STATES = {
   '#P_END': 'at its end',
 };
 
-/** Says what Start does now: the first motion is a BCO run, at whose end Start is pressed again. */
+/** Returns the hint for Start: the first motion is a BCO run, at whose end Start is pressed again. */
 function startHint(robotState, values) {
   const one = header();
   if (values['$MOVE_BCO']?.value === true) {

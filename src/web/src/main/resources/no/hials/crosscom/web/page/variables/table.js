@@ -24,7 +24,7 @@ function partsOf(name, reading) {
     : Object.entries(value).map(([field, one]) => [`${base}.${field}`, { type: '', value: one }]);
 }
 
-/** What is known of each variable and each of its parts. */
+/** The last values of each variable and each of its parts. */
 class History {
   readings = new Map();
   numbers = new Map();

@@ -98,7 +98,7 @@ function pathsOf(leaves) {
     .filter((base) => all.has(`${base}.Y`) && all.has(`${base}.Z`));
 }
 
-/** What is drawn, apart from the components: the source, the window, the cursor and the panels. */
+/** The state of the drawing outside the components: source, window, cursor and panels. */
 class Picture {
   frozen = null;
   zoomed = null;

@@ -15,7 +15,7 @@ import { header, state, useSharedState } from '../state.js';
 const PERIOD = 250; // ms
 const POINTERS = { robot: '$PRO_IP1', submit: '$PRO_IP0' };
 
-/** What the server of the robot can do; null until it has answered. */
+/** The abilities of the server of the robot; null until it has answered. */
 function useAbilities() {
   const { socket } = useSharedState();
   const connected = header().connection === 'connected';

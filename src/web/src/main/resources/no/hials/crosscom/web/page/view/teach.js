@@ -1,5 +1,5 @@
 // What a teacher changes on a simulated robot: mode key, emergency stop, faults of the network, and
-// the variables that the robot follows; the robot and a lesson of the tutorial beside them.
+// the variables that the robot follows; the robot and a lesson of the tutorial next to them.
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -330,7 +330,7 @@ export function View() {
       h(EmergencyStop, { bench, onChange: ask }),
       h(Faults, { bench, onChange: ask }),
     ),
-    h('div', { class: 'beside' }, h(Robot)),
+    h('div', { class: 'picture-side' }, h(Robot)),
     h(Lesson),
   );
 }

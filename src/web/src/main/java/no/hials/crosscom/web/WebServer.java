@@ -131,12 +131,12 @@ public final class WebServer implements AutoCloseable {
     PageHandler pages = new PageHandler(tokens, new HostCheck(address.names()));
     pages.add("/socket", sockets);
     server.setHandler(pages);
+    server.setErrorHandler(PageHandler::error);
     sockets.atOpen(robots::show);
     String fingerprint = config.certificate().map(ServerCertificate::fingerprint).orElse("");
     List<String> origins = address.names().stream().map(this::origin).toList();
     new AccessCommands(tokens, sockets, audit, origins, address.isLoopback(), fingerprint)
         .addTo(commands);
-    // a feature adds its commands here
     robots.addTo(commands);
     new AuditCommands(audit, sockets).addTo(commands);
     VariableCommands variables = new VariableCommands(robots, audit, sockets);

@@ -101,6 +101,16 @@ class AccessTest {
   }
 
   @Test
+  void aRequestThatJettyRefusesGetsNoDetail() throws Exception {
+    HttpResponse<String> answer = pages.get(pages.at("/%00"), "Cookie", pages.login(Role.VIEW));
+
+    assertThat(answer.statusCode()).isEqualTo(400);
+    assertThat(answer.body()).isEqualTo("The request cannot be answered.\n");
+    assertThat(answer.headers().firstValue("content-security-policy"))
+        .hasValue("default-src 'none'");
+  }
+
+  @Test
   void aKnownFileIsNotSentAgain() throws Exception {
     String cookie = pages.login(Role.VIEW);
     String tag =

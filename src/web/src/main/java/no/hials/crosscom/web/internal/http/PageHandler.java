@@ -168,6 +168,14 @@ public final class PageHandler extends Handler.Abstract {
     return true;
   }
 
+  /** Answers a request that Jetty refuses, or that fails, without any detail of it. */
+  public static boolean error(Request request, Response response, Callback callback) {
+    HttpFields.Mutable headers = response.getHeaders();
+    headers.put("Content-Security-Policy", "default-src 'none'");
+    headers.put("X-Content-Type-Options", "nosniff");
+    return refuse(response, callback, response.getStatus(), "The request cannot be answered.");
+  }
+
   /** Answers with a sentence, which is plain text for any browser. */
   public static boolean refuse(Response response, Callback callback, int status, String reason) {
     response.setStatus(status);

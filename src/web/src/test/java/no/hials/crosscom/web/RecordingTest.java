@@ -205,6 +205,7 @@ class RecordingTest {
             pages.get(pages.at("/recordings/" + file + "/columns"), "Cookie", cookie);
         assertThat(answer.statusCode()).isEqualTo(422);
         assertThat(answer.body()).containsAnyOf("is not a recording", "is not of a recording");
+        assertThat(answer.body()).doesNotContain(folder.toString());
       }
     }
   }

@@ -165,7 +165,9 @@ final class RecordingFiles implements Route {
     try {
       content = ReplayColumns.read(file).bytes();
     } catch (IOException e) {
-      String reason = String.valueOf(e.getMessage());
+      // viewers need not know where the folder is
+      String name = file.getFileName().toString();
+      String reason = String.valueOf(e.getMessage()).replace(file.toString(), name);
       return PageHandler.refuse(response, callback, HttpStatus.UNPROCESSABLE_ENTITY_422, reason);
     }
     response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/octet-stream");

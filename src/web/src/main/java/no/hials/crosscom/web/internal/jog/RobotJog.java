@@ -52,7 +52,10 @@ final class RobotJog {
     JogSession old;
     synchronized (this) {
       owner.take(person);
-      if (opening || closed) {
+      if (closed) {
+        throw new CommandException("the page's server ends");
+      }
+      if (opening) {
         throw new CommandException("jogging starts already");
       }
       opening = true;

@@ -80,6 +80,7 @@ public final class CheckCommands {
       if (subscription != null) {
         subscription.close();
         subscription = null;
+        number++; // for readings that are on their way
         values.clear();
       }
     }

@@ -48,8 +48,8 @@ import picocli.CommandLine.Option;
       "",
       "Without --host the page is on the loopback address: only browsers on this computer reach it."
           + " A browser elsewhere, such as a phone, needs --host with TLS, and a link that the page"
-          + " makes (\"Let somebody in\"). A robot is read-only until somebody unlocks it on the"
-          + " page, and always with --read-only. Every change is a line of audit.jsonl in the"
+          + " makes (\"Let somebody in\"). A robot is locked until somebody unlocks it on the page,"
+          + " and always with --read-only. Every change of a robot is a line of audit.jsonl in the"
           + " folder of --data.",
       "",
       "Jogging on the page moves a machine. It is not an enabling device and not an emergency stop:"

@@ -85,6 +85,11 @@ final class ArchiveLoader {
         && (place.startsWith("R1/") || (place.contains("/$") && place.endsWith(".DAT")));
   }
 
+  /** Returns a text for sorting, which puts the files of a folder before its folders. */
+  private static String beforeFolders(String place) {
+    return new StringBuilder(place).insert(place.lastIndexOf('/') + 1, '\0').toString();
+  }
+
   /** Loads all files; their linking comes last, because each may use any other. */
   void load() {
     List<String> places =
@@ -95,7 +100,7 @@ final class ArchiveLoader {
             .sorted(
                 Comparator.comparing(ArchiveLoader::step)
                     .thenComparing(place -> !place.toUpperCase(Locale.ROOT).contains("R1/PROGRAM/"))
-                    .thenComparing(String.CASE_INSENSITIVE_ORDER))
+                    .thenComparing(ArchiveLoader::beforeFolders, String.CASE_INSENSITIVE_ORDER))
             .toList();
     parse(places);
     Map<String, String> first = new HashMap<>();

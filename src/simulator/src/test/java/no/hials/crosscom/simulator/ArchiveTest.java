@@ -261,6 +261,19 @@ final class ArchiveTest {
   }
 
   @Test
+  void aCopyInAFolderOfAFolderDoesNotReplaceTheProgram() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/backup/main.src", text("DEF MAIN( )\nPARTS=0\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report(report, "backup/main.src").problems().get(0).message())
+        .isEqualTo("another file of this name is loaded: KRC/R1/Program/main.src");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("123");
+  }
+
+  @Test
   void aCopyOfAProgramDoesNotReplaceTheFileWithTheNameOfTheModule() throws Exception {
     Map<String, byte[]> files = cell();
     files.put("KRC/R1/Program/Copy of main.src", text("DEF MAIN( )\nPARTS=0\nEND\n"));

@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.files;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -52,13 +53,20 @@ final class FileNameResolver {
   }
 
   private @Nullable FileItem search(FileItem folder, String name) throws IOException {
-    for (FileItem item : store.children(folder.path())) {
+    for (FileItem item : filesFirst(folder)) {
       FileItem found = item.directory() ? search(item, name) : item;
       if (found != null && found.path().name().equalsIgnoreCase(name)) {
         return found;
       }
     }
     return null;
+  }
+
+  /** Returns the content of a folder; files come first, since a folder may hold copies of them. */
+  private List<FileItem> filesFirst(FileItem folder) throws IOException {
+    List<FileItem> items = new ArrayList<>(store.children(folder.path()));
+    items.sort(Comparator.comparing(FileItem::directory));
+    return items;
   }
 
   FileItem existing(String name) throws IOException {
@@ -144,7 +152,7 @@ final class FileNameResolver {
   }
 
   private void modules(FileItem folder, List<FileItem> modules) throws IOException {
-    for (FileItem item : store.children(folder.path())) {
+    for (FileItem item : filesFirst(folder)) {
       if (item.directory()) {
         modules(item, modules);
       } else if (FileItem.isModule(item.path().name())) {

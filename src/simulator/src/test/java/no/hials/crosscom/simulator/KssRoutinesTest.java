@@ -72,6 +72,13 @@ class KssRoutinesTest {
     assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
   }
 
+  @Test
+  void theHomeCheckSeesAHomePositionOfTheLineBefore() {
+    run("$H_POS=$AXIS_ACT\nP00 (#CHK_HOME,#PGNO_GET,DMY[],0 )\nI1=1");
+
+    assertThat(get("I1")).isEqualTo("1");
+  }
+
   private String get(String name) {
     return cell.get(name);
   }

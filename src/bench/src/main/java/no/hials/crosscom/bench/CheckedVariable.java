@@ -157,6 +157,8 @@ final class CheckedVariable {
       double[] axes = Kind.axes(number);
       it.setA1ToA6(Arrays.copyOf(axes, HALF));
       it.setE1ToE6(Arrays.copyOfRange(axes, HALF, 2 * HALF));
+    } else {
+      throw new AssertionError(variable);
     }
   }
 

@@ -16,7 +16,7 @@ import no.hials.crosscom.web.internal.model.ShapeFiles;
 import no.hials.crosscom.web.internal.programs.CheckCommands;
 import no.hials.crosscom.web.internal.programs.InputOutputCommands;
 import no.hials.crosscom.web.internal.programs.MessageCommands;
-import no.hials.crosscom.web.internal.programs.ProgramCommands;
+import no.hials.crosscom.web.internal.programs.PageProgramCommands;
 import no.hials.crosscom.web.internal.recordings.RecordingCommands;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Commands;
@@ -155,7 +155,7 @@ public final class WebServer implements AutoCloseable {
     parts.add(jog);
     sockets.atOpen(jog::show);
     jog.addTo(commands);
-    new ProgramCommands(robots, audit).addTo(commands);
+    new PageProgramCommands(robots, audit).addTo(commands);
     new MessageCommands(robots, audit).addTo(commands);
     new InputOutputCommands(robots, audit, variables::catalogue).addTo(commands);
     new CheckCommands(robots).addTo(commands);

@@ -52,16 +52,7 @@ class VariablesTest {
 
   @Test
   void variablesOfTheControllersDataListsAreFound() throws Exception {
-    try (MockServer server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
-        TestPages pages =
-            TestPages.start(
-                ServerType.C3_BRIDGE,
-                folder,
-                cfg ->
-                    cfg.opener(
-                        (one, client) ->
-                            RobotConnection.open(one.at(server.host(), server.port()), client)));
-        TestSocket socket = pages.open(Role.VIEW)) {
+    try (MockServer server = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE))) {
       try (CrossComClient client = new CrossComClient(server.host(), server.port())) {
         client
             .files()
@@ -70,19 +61,31 @@ class VariablesTest {
                 "KRC:\\R1\\Program\\gripper.dat",
                 TransferConfig.DEFAULT);
       }
-      JsonNode first =
-          socket.call("search", "robot", "'mock'", "text", "'jaw_width'", "limit", "5").path("ok");
-      assertThat(first.path("total").asInt()).isZero();
-      assertThat(first.path("loading").asBoolean()).isTrue();
-
-      socket.awaitEvent("names");
-      JsonNode found =
-          socket.call("search", "robot", "'mock'", "text", "'jaw_width'", "limit", "5").path("ok");
-
-      assertThat(found.path("total").asInt()).isEqualTo(1);
-      assertThat(found.path("found").get(0).path("type").asText()).isEqualTo("REAL");
-      assertThat(found.path("found").get(0).path("origin").asText())
-          .isEqualTo("KRC:\\R1\\Program\\gripper.dat");
+      try (TestPages pages =
+              TestPages.start(
+                  ServerType.C3_BRIDGE,
+                  folder,
+                  cfg ->
+                      cfg.opener(
+                          (one, client) ->
+                              RobotConnection.open(one.at(server.host(), server.port()), client)));
+          TestSocket socket = pages.open(Role.VIEW)) {
+        JsonNode found = searchJawWidth(socket);
+        if (found.path("loading").asBoolean()) {
+          assertThat(found.path("total").asInt()).isZero();
+          socket.awaitEvent("names");
+          found = searchJawWidth(socket);
+        }
+        assertThat(found.path("loading").asBoolean()).isFalse();
+        assertThat(found.path("total").asInt()).isEqualTo(1);
+        assertThat(found.path("found").get(0).path("type").asText()).isEqualTo("REAL");
+        assertThat(found.path("found").get(0).path("origin").asText())
+            .isEqualTo("KRC:\\R1\\Program\\gripper.dat");
+      }
     }
+  }
+
+  private static JsonNode searchJawWidth(TestSocket socket) throws InterruptedException {
+    return socket.call("search", "robot", "'mock'", "text", "'jaw_width'", "limit", "5").path("ok");
   }
 }

@@ -35,13 +35,20 @@ final class KnownNames {
 
   /** Loads the names in the background, unless they are loaded. */
   void load() {
-    Thread thread = new Thread(this::catalogue, "web-names");
+    Thread thread = new Thread(this::now, "web-names");
     thread.setDaemon(true);
     thread.start();
   }
 
+  /**
+   * The names that are known at a time.
+   *
+   * @param loading whether the data lists are being read, so that there may soon be more
+   */
+  record Names(Catalogue catalogue, boolean loading) {}
+
   /** Returns the names that are known now. Starts to read the data lists on the controller. */
-  synchronized Catalogue catalogue() {
+  synchronized Names now() {
     Catalogue names = known;
     if (names == null) {
       complete = robot.simulation().isPresent();
@@ -59,12 +66,7 @@ final class KnownNames {
       thread.setDaemon(true);
       thread.start();
     }
-    return names;
-  }
-
-  /** Returns whether the data lists are being read. */
-  synchronized boolean isLoading() {
-    return loading;
+    return new Names(names, loading);
   }
 
   private void readLists(Catalogue base) {

@@ -53,7 +53,7 @@ public final class VariableCommands {
 
   /** Returns the variables of a robot that are known now. */
   public Catalogue catalogue(RobotSession robot) {
-    return names(robot).catalogue();
+    return names(robot).now().catalogue();
   }
 
   private KnownNames names(RobotSession robot) {
@@ -70,12 +70,12 @@ public final class VariableCommands {
   private void search(Call call, ObjectNode answer) throws IOException {
     List<String> words = List.of(call.text("text", 200).toLowerCase(Locale.ROOT).split("\\s+"));
     int limit = (int) call.number("limit", 1, MAX_FOUND);
-    KnownNames known = names(robots.of(call));
+    KnownNames.Names known = names(robots.of(call)).now();
     Catalogue catalogue = known.catalogue();
     List<CatalogueEntry> found =
         catalogue.variables().stream().filter(entry -> matches(entry, words)).toList();
     answer.put("total", found.size());
-    answer.put("loading", known.isLoading());
+    answer.put("loading", known.loading());
     ArrayNode list = answer.putArray("found");
     found.stream()
         .limit(limit)
@@ -104,7 +104,7 @@ public final class VariableCommands {
 
   /** Answers with the entry of a variable, the fields of its type, and the constants. */
   private void describe(Call call, ObjectNode answer) throws IOException {
-    Catalogue catalogue = names(robots.of(call)).catalogue();
+    Catalogue catalogue = names(robots.of(call)).now().catalogue();
     catalogue
         .find(call.text("name"))
         .ifPresent(

@@ -27,7 +27,7 @@ import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
 
 /** Shows, uploads, selects, starts and stops the programs of a controller with C3 Bridge. */
-public final class ProgramCommands {
+public final class PageProgramCommands {
   /** The largest file that a message of a page can carry in Base64. */
   static final int MAX_UPLOADED = 180 * 1024;
 
@@ -44,7 +44,7 @@ public final class ProgramCommands {
   private final RobotSessions robots;
   private final Changes changes;
 
-  public ProgramCommands(RobotSessions robots, AuditLog audit) {
+  public PageProgramCommands(RobotSessions robots, AuditLog audit) {
     this.robots = robots;
     this.changes = new Changes(audit);
   }

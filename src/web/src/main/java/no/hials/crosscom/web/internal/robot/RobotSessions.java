@@ -149,7 +149,7 @@ public final class RobotSessions implements AutoCloseable {
     commands.addQuick("watch", Role.VIEW, (call, answer) -> watch(call));
     commands.addQuick("unwatch", Role.VIEW, (call, answer) -> lists(call).remove(key(call)));
     commands.addQuick("visible", Role.VIEW, (call, answer) -> setVisible(call));
-    commands.add("lock", Role.OPERATE, (call, answer) -> setLock(call));
+    commands.addQuick("lock", Role.OPERATE, (call, answer) -> setLock(call));
   }
 
   private Lists lists(Call call) throws CommandException {

@@ -25,6 +25,9 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private static final int MESSAGES_IN_A_BURST = 400;
   private static final int MAX_WAITING_COMMANDS = 64;
 
+  /** A command that has waited longer is not run: the page may have said that it failed. */
+  private static final long MAX_WAIT_NANOS = 5_000_000_000L;
+
   private static final int POLICY_VIOLATION = 1008;
 
   private static final AtomicLong COUNT = new AtomicLong();
@@ -41,8 +44,11 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private volatile boolean closed;
 
   // guarded by this
-  private final Queue<JsonNode> waiting = new ArrayDeque<>();
+  private final Queue<WaitingCommand> waiting = new ArrayDeque<>();
   private boolean working;
+
+  /** A command with the time when it came, by {@link System#nanoTime}. */
+  private record WaitingCommand(JsonNode message, long since) {}
 
   Viewer(BrowserSession browser, Commands commands, Executor workers, Sockets sockets) {
     this.browser = browser;
@@ -98,7 +104,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     if (outbox.addAnswer(answer.toString())) {
       flush();
     } else {
-      close("answers are not read");
+      end("answers are not read");
     }
   }
 
@@ -116,13 +122,6 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private void sent() {
     outbox.sent();
     flush();
-  }
-
-  private void close(String reason) {
-    Session open = session;
-    if (open != null) {
-      open.close(POLICY_VIOLATION, reason, Callback.NOOP);
-    }
   }
 
   /** Ends the connection at once, whether the page reads its close or not. */
@@ -151,7 +150,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   public void onWebSocketOpen(Session opened) {
     session = opened;
     if (!sockets.add(this)) {
-      close("too many pages are open");
+      end("too many pages are open");
       return;
     }
     if (!browser.isIn()) { // since it was checked at the request
@@ -166,8 +165,12 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     if (closed) {
       return;
     }
+    if (!browser.isIn()) {
+      end("sent away");
+      return;
+    }
     if (!rate.take()) {
-      close("too many messages");
+      end("too many messages");
       return;
     }
     JsonNode message;
@@ -194,13 +197,13 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   @Override
   public void onWebSocketBinary(ByteBuffer payload, Callback callback) {
     callback.succeed();
-    close("only text is understood");
+    end("only text is understood");
   }
 
   private void enqueue(JsonNode message) {
     synchronized (this) {
       if (waiting.size() < MAX_WAITING_COMMANDS) {
-        waiting.add(message);
+        waiting.add(new WaitingCommand(message, System.nanoTime()));
         if (!working) {
           working = true;
           workers.execute(this::work);
@@ -214,15 +217,19 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   /** Runs the commands that wait, one after the other. */
   private void work() {
     while (true) {
-      JsonNode message;
+      WaitingCommand next;
       synchronized (this) {
-        message = closed ? null : waiting.poll();
-        if (message == null) {
+        next = closed ? null : waiting.poll();
+        if (next == null) {
           working = false;
           return;
         }
       }
-      reply(commands.answer(this, message));
+      JsonNode message = next.message();
+      reply(
+          System.nanoTime() - next.since() > MAX_WAIT_NANOS
+              ? error(message.get("id"), "not done: it waited for other commands for too long")
+              : commands.answer(this, message));
     }
   }
 

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Random;
+import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
@@ -192,10 +194,15 @@ class SocketTest {
   void aWriteThatCannotBeReadAfterwardsIsCalledWritten() throws Exception {
     try (TestSocket socket = pages.open(Role.OPERATE)) {
       socket.call("lock", "robot", "'mock'", "locked", "false");
+      AtomicBoolean written = new AtomicBoolean();
       pages
           .controller()
           .fault(
-              request -> !request.isWrite() && request.names().contains("MYSTRING[]"),
+              request -> {
+                boolean after = written.get();
+                written.compareAndSet(false, request.isWrite());
+                return after && request.names().contains("MYSTRING[]");
+              },
               Fault.closeBefore());
 
       JsonNode answer =
@@ -214,6 +221,64 @@ class SocketTest {
           .startsWith("MYSTRING[] was written, but could not be read afterwards: ");
       assertThat(pages.controller().variables().get("MYSTRING[]")).isEqualTo("\"abc\"");
     }
+  }
+
+  @Test
+  void theAuditLogHasTheValueThatTheControllerHadBefore() throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      pages.controller().variables().set("MYINT", "41");
+
+      write(socket, "MYINT", "42");
+
+      assertThat(socket.call("audit").path("ok").path("lines"))
+          .map(JsonNode::textValue)
+          .last()
+          .asString()
+          .contains("\"before\":\"41\",\"after\":\"42\"");
+    }
+  }
+
+  @Test
+  void theRobotIsLockedAtOnceAndAWriteThatWaitedTooLongIsNotDone() throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      pages.controller().variables().set("MYINT", "41");
+      pages
+          .controller()
+          .fault(request -> request.names().contains("MYREAL"), Fault.drop()); // for 3 s and 3 s
+
+      for (String message :
+          List.of(
+              "{'id':900,'do':'read','robot':'mock','name':'MYREAL'}",
+              "{'id':901,'do':'read','robot':'mock','name':'MYREAL'}",
+              "{'id':902,'do':'write','robot':'mock','name':'MYINT','value':'42','confirmed':true}",
+              "{'id':903,'do':'lock','robot':'mock','locked':true}")) {
+        socket.send(message.replace('\'', '"'));
+      }
+
+      assertThat(socket.await(it -> it.path("id").asInt() >= 900).path("id").asInt())
+          .isEqualTo(903);
+      assertThat(socket.await(it -> it.path("id").asInt() == 902).path("error").asText())
+          .isEqualTo("not done: it waited for other commands for too long");
+      assertThat(pages.controller().variables().get("MYINT")).isEqualTo("41");
+    }
+  }
+
+  private static void write(TestSocket socket, String name, String value)
+      throws InterruptedException {
+    JsonNode answer =
+        socket.call(
+            "write",
+            "robot",
+            "'mock'",
+            "name",
+            "'" + name + "'",
+            "value",
+            "'" + value + "'",
+            "confirmed",
+            "true");
+    assertThat(answer.has("ok")).as("%s", answer).isTrue();
   }
 
   @Test

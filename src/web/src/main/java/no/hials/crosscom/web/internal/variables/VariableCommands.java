@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
+import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.ValueText;
@@ -153,16 +154,26 @@ public final class VariableCommands {
     robot.client().checkText(name, value);
   }
 
+  /** Returns the value for the audit log; empty if the controller does not let it be read. */
+  private static String valueBefore(RobotSession robot, String name) throws IOException {
+    try {
+      return robot.client().readText(name);
+    } catch (CrossComAccessException e) {
+      return "";
+    }
+  }
+
   /** Writes a variable, and answers with its value as read afterwards. */
   private void write(Call call, ObjectNode answer) throws IOException {
     RobotSession robot = robots.of(call);
     String name = call.text("name");
     String value = call.text("value").strip();
-    String before = call.optionalText("before").orElse("");
+    String before = "";
     String result = "done";
     try {
       checkValue(robot, name, value);
       robot.lock().check(call, "write " + name);
+      before = valueBefore(robot, name);
       WriteAnswer.check(name, value, robot.client().writeText(name, value));
     } catch (IOException | IllegalArgumentException e) {
       result = String.valueOf(e.getMessage());

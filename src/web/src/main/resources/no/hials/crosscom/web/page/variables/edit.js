@@ -29,6 +29,7 @@ export function Edit({ name, onClose }) {
   const [known, setKnown] = useState({ constants: [] });
   const [asked, setAsked] = useState(false);
   const [error, setError] = useState('');
+  const [busy, setBusy] = useState(false);
   useEffect(() => {
     call('read', { robot: state.robot, name })
       .then(({ text }) => {
@@ -42,26 +43,31 @@ export function Edit({ name, onClose }) {
   }, [name]);
   const attempt = async (work) => {
     setError('');
+    setBusy(true);
     try {
       await work();
     } catch (e) {
       setAsked(false);
       setError(e.message);
     }
+    setBusy(false);
   };
   const check = async () => {
     await call('check', { robot: state.robot, name, value });
+    setBefore((await call('read', { robot: state.robot, name })).text);
     setAsked(true);
   };
   const write = async () => {
-    const fields = { robot: state.robot, name, value, before: before ?? '', confirmed: true };
+    const fields = { robot: state.robot, name, value, confirmed: true };
     const { text } = await call('write', fields);
     note('done', `${name} = ${text}`);
     onClose();
   };
   const submit = (event) => {
     event.preventDefault();
-    attempt(asked ? write : check);
+    if (!busy) {
+      attempt(asked ? write : check);
+    }
   };
   const readOnly = known.entry?.access === 'RO';
   return h(
@@ -109,9 +115,14 @@ export function Edit({ name, onClose }) {
         'div',
         { class: 'buttons' },
         h('button', { type: 'button', class: 'quiet', onClick: onClose }, 'Cancel'),
+        // a button of its own, so that a double click on Continue does not write
         h(
           'button',
-          { class: 'main', disabled: before === null || value.trim() === '' },
+          {
+            key: asked ? 'write' : 'continue',
+            class: 'main',
+            disabled: busy || before === null || value.trim() === '',
+          },
           asked ? 'Write' : 'Continue',
         ),
       ),

@@ -49,7 +49,7 @@ function lost() {
   state.socket = 'lost';
   changed();
   for (const { reject } of pending.values()) {
-    reject(new Error('the connection to the server is lost'));
+    reject('the connection to the server is lost');
   }
   pending.clear();
   attempts++;
@@ -86,13 +86,19 @@ export function call(name, fields = {}) {
     const id = ++number;
     const timer = setTimeout(() => {
       pending.delete(id);
-      reject(new Error(`no answer to ${name} within ${LONGEST_WAIT / 1000} s`));
+      unanswered(`no answer to ${name} within ${LONGEST_WAIT / 1000} s`);
     }, LONGEST_WAIT);
+    const unknown = fields.confirmed ? '; whether it was done is unknown: look at the robot' : '';
+    const unanswered = (reason) => reject(new Error(reason + unknown));
     const done = (settle) => (value) => {
       clearTimeout(timer);
       settle(value);
     };
-    pending.set(id, { resolve: done(resolve), reject: done(reject) });
+    pending.set(id, {
+      resolve: done(resolve),
+      refuse: done((error) => reject(new Error(error))),
+      reject: done(unanswered),
+    });
     socket.send(JSON.stringify({ id, do: name, ...fields }));
   });
 }
@@ -113,7 +119,7 @@ function receive(message) {
     if (message.error === undefined) {
       waiting?.resolve(message.ok);
     } else {
-      waiting?.reject(new Error(message.error));
+      waiting?.refuse(message.error);
     }
     return;
   }

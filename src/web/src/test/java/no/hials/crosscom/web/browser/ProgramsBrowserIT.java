@@ -28,6 +28,7 @@ class ProgramsBrowserIT {
           WAIT SEC 0.3
           $OUT[3]=TRUE
           WAIT SEC 0.3
+          WAIT SEC 0.3
         ENDLOOP
       END
       """;

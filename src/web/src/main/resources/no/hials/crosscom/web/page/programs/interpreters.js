@@ -83,7 +83,7 @@ async function stop(interpreter) {
 
 function Interpreter({ interpreter, title, program, programState, hint, bridge, onAsk }) {
   const may = mayWrite() && bridge;
-  const selected = programState !== undefined && programState !== '#P_FREE';
+  const selected = programState != null && programState !== '#P_FREE';
   const active = programState === '#P_ACTIVE';
   const order = (name, text, enabled, kind = '') =>
     h(
@@ -114,7 +114,7 @@ function Interpreter({ interpreter, title, program, programState, hint, bridge, 
       'div',
       { class: 'buttons' },
       order('start', 'Start …', selected && !active, 'main'),
-      h('button', { class: 'stop', disabled: !may || !active, onClick: () => stop(interpreter) }, 'Stop'),
+      h('button', { class: 'stop', disabled: !may, onClick: () => stop(interpreter) }, 'Stop'),
       order('reset', 'Reset …', selected),
       order('cancel', 'Deselect …', selected && !active),
     ),

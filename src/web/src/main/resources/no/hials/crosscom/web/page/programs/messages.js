@@ -3,7 +3,7 @@
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { header, mayWrite, state, useSharedState } from '../state.js';
+import { header, isStale, mayWrite, state, useSharedState } from '../state.js';
 
 const PERIOD = 1000; // ms
 const KINDS = {
@@ -82,6 +82,7 @@ function Question({ dialogue, onAsk }) {
 export function Messages({ known, onAsk }) {
   const answer = useMessages();
   const waits = header().stop === 'TRUE';
+  const unknown = header().stop == null || isStale(header());
   const can = known?.bridge || known?.simulated;
   const confirm = () =>
     onAsk({
@@ -104,9 +105,13 @@ export function Messages({ known, onAsk }) {
       h(
         'span',
         { class: waits ? 'failure' : 'hint', role: 'status' },
-        waits ? 'A message has to be confirmed.' : 'None to confirm.',
+        unknown
+          ? 'Unknown whether a message waits.'
+          : waits
+            ? 'A message has to be confirmed.'
+            : 'None to confirm.',
       ),
-      can && h('button', { disabled: !mayWrite() || !waits, onClick: confirm }, 'Confirm all …'),
+      can && h('button', { disabled: !mayWrite() || !(waits || unknown), onClick: confirm }, 'Confirm all …'),
     ),
     answer?.dialogue && h(Question, { dialogue: answer.dialogue, onAsk }),
     answer?.known === false &&

@@ -12,6 +12,7 @@ import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.Changes;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;

@@ -11,6 +11,7 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.Changes;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;

@@ -20,6 +20,7 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.Changes;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;

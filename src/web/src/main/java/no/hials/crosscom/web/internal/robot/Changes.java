@@ -1,22 +1,21 @@
-package no.hials.crosscom.web.internal.programs;
+package no.hials.crosscom.web.internal.robot;
 
 import java.io.IOException;
 import no.hials.crosscom.web.internal.audit.AuditLog;
-import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
 
 /** Makes changes, each with a line in the audit log. A change is never repeated. */
-final class Changes {
+public final class Changes {
   private final AuditLog audit;
 
-  Changes(AuditLog audit) {
+  public Changes(AuditLog audit) {
     this.audit = audit;
   }
 
   /** Checks that a change is allowed, and makes it. */
   @FunctionalInterface
-  interface Change {
+  public interface Change {
     void make() throws IOException;
   }
 
@@ -27,7 +26,8 @@ final class Changes {
    * @param name what is changed
    * @param value the new value; empty if there is none
    */
-  void make(Call call, RobotSession robot, String what, String name, String value, Change change)
+  public void make(
+      Call call, RobotSession robot, String what, String name, String value, Change change)
       throws IOException {
     String result = "done";
     try {

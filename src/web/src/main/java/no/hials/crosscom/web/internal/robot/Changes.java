@@ -1,6 +1,10 @@
 package no.hials.crosscom.web.internal.robot;
 
+import static java.util.Objects.requireNonNull;
+
 import java.io.IOException;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import no.hials.crosscom.web.internal.audit.AuditLog;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
@@ -19,8 +23,14 @@ public final class Changes {
     void make() throws IOException;
   }
 
+  /** Does the same, and passes on the old value before the change. */
+  @FunctionalInterface
+  public interface Replacement {
+    void make(Consumer<String> oldValue) throws IOException;
+  }
+
   /**
-   * Makes a change.
+   * Makes a change whose old value is not known.
    *
    * @param what the kind, such as {@code start}
    * @param name what is changed
@@ -29,9 +39,24 @@ public final class Changes {
   public void make(
       Call call, RobotSession robot, String what, String name, String value, Change change)
       throws IOException {
-    String result = "done";
+    replace(call, robot, what, name, value, oldValue -> change.make());
+  }
+
+  /**
+   * Makes a change of a value.
+   *
+   * @param what the kind, such as {@code write}
+   * @param name what is changed
+   * @param value the new value
+   */
+  public void replace(
+      Call call, RobotSession robot, String what, String name, String value, Replacement change)
+      throws IOException {
+    AtomicReference<String> before = new AtomicReference<>("");
+    String result = "failed";
     try {
-      change.make();
+      change.make(before::set);
+      result = "done";
     } catch (IOException | IllegalArgumentException e) {
       result = String.valueOf(e.getMessage());
       throw e;
@@ -40,7 +65,14 @@ public final class Changes {
       throw new CommandException(result);
     } finally {
       audit.add(
-          new AuditLog.Entry(call.viewer().name(), robot.name(), what, name, "", value, result));
+          new AuditLog.Entry(
+              call.viewer().name(),
+              robot.name(),
+              what,
+              name,
+              requireNonNull(before.get()),
+              value,
+              result));
     }
   }
 }

@@ -12,6 +12,7 @@ import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlPrograms;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.Changes;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;
@@ -29,12 +30,12 @@ public final class TeachCommands {
   private static final List<String> PROGRAMS = List.of("actuator", "ext_move_axis");
 
   private final RobotSessions robots;
-  private final AuditLog audit;
+  private final Changes changes;
   private final Map<RobotSession, Bench> benches = new ConcurrentHashMap<>();
 
   public TeachCommands(RobotSessions robots, AuditLog audit) {
     this.robots = robots;
-    this.audit = audit;
+    this.changes = new Changes(audit);
   }
 
   /** A simulated robot with what the teacher has done to it. */
@@ -98,20 +99,16 @@ public final class TeachCommands {
   private void change(Call call, String name, String value, Change change) throws IOException {
     Bench bench = bench(call);
     RobotSession robot = robots.of(call);
-    String result = "done";
-    try {
-      robot.lock().check(call, "set " + name);
-      change.apply(bench);
-    } catch (IOException | IllegalArgumentException e) {
-      result = String.valueOf(e.getMessage());
-      throw e;
-    } catch (IllegalStateException e) {
-      result = String.valueOf(e.getMessage());
-      throw new CommandException(result);
-    } finally {
-      audit.add(
-          new AuditLog.Entry(call.viewer().name(), robot.name(), "teach", name, "", value, result));
-    }
+    changes.make(
+        call,
+        robot,
+        "teach",
+        name,
+        value,
+        () -> {
+          robot.lock().check(call, "set " + name);
+          change.apply(bench);
+        });
   }
 
   private void setMode(Call call, ObjectNode answer) throws IOException {

@@ -15,6 +15,7 @@ import no.hials.crosscom.cell.ValueText;
 import no.hials.crosscom.cell.WriteAnswer;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.audit.AuditLog;
+import no.hials.crosscom.web.internal.robot.Changes;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;
@@ -28,13 +29,13 @@ public final class VariableCommands {
   private static final int MAX_FOUND = 500;
 
   private final RobotSessions robots;
-  private final AuditLog audit;
+  private final Changes changes;
   private final Sockets sockets;
   private final Map<RobotSession, KnownNames> names = new ConcurrentHashMap<>();
 
   public VariableCommands(RobotSessions robots, AuditLog audit, Sockets sockets) {
     this.robots = robots;
-    this.audit = audit;
+    this.changes = new Changes(audit);
     this.sockets = sockets;
   }
 
@@ -168,21 +169,18 @@ public final class VariableCommands {
     RobotSession robot = robots.of(call);
     String name = call.text("name");
     String value = call.text("value").strip();
-    String before = "";
-    String result = "done";
-    try {
-      checkValue(robot, name, value);
-      robot.lock().check(call, "write " + name);
-      before = valueBefore(robot, name);
-      WriteAnswer.check(name, value, robot.client().writeText(name, value));
-    } catch (IOException | IllegalArgumentException e) {
-      result = String.valueOf(e.getMessage());
-      throw e;
-    } finally {
-      audit.add(
-          new AuditLog.Entry(
-              call.viewer().name(), robot.name(), "write", name, before, value, result));
-    }
+    changes.replace(
+        call,
+        robot,
+        "write",
+        name,
+        value,
+        oldValue -> {
+          checkValue(robot, name, value);
+          robot.lock().check(call, "write " + name);
+          oldValue.accept(valueBefore(robot, name));
+          WriteAnswer.check(name, value, robot.client().writeText(name, value));
+        });
     try {
       answer.put("text", robot.client().readText(name));
     } catch (IOException e) {

@@ -126,7 +126,7 @@ export function Files({ onAsk, onShow, version, onChanged }) {
       mayWrite() &&
         h(
           'label',
-          { class: 'file' },
+          { class: 'button' },
           'Upload …',
           h('input', {
             type: 'file',

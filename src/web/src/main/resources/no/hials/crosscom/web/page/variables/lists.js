@@ -154,7 +154,7 @@ export function Lists({ list, onChange }) {
     mayOperate() && isSaved && h('button', { onClick: remove }, 'Delete'),
     h(
       'label',
-      { class: 'file' },
+      { class: 'button' },
       'Import …',
       h('input', { type: 'file', accept: '.txt,text/plain', onChange: importFile }),
     ),

@@ -96,6 +96,26 @@ function BankChoice({ title, first, size, length, onChange }) {
   );
 }
 
+/** The elements of an array that are shown, and their head with the choice of the bank. */
+function useBank({ title, array, length, names, period, size, jump }) {
+  const [first, setFirst] = useState(1);
+  useEffect(() => {
+    if (jump?.array === array) {
+      setFirst(jump.number - ((jump.number - 1) % size));
+    }
+  }, [jump]);
+  const shown = elements(array, first, size, length);
+  const values = useValues(array, shown.map((one) => one.name), period);
+  const head = h(
+    'div',
+    { class: 'text-tools' },
+    h('h2', null, title),
+    h(BankChoice, { title, first, size, length, onChange: setFirst }),
+  );
+  const rows = shown.map((one) => ({ ...one, names: names[one.name] ?? [], reading: values[one.name] }));
+  return { head, rows };
+}
+
 /** A lamp with its number and names; a switch if it can be changed. */
 function Lamp({ name, number, names, reading, onSwitch }) {
   const known = typeof reading?.value === 'boolean';
@@ -127,59 +147,33 @@ function Lamp({ name, number, names, reading, onSwitch }) {
   );
 }
 
-function Digital({ title, array, length, names, period, jump, onSwitch, children }) {
-  const [first, setFirst] = useState(1);
-  useEffect(() => {
-    if (jump?.array === array) {
-      setFirst(jump.number - ((jump.number - 1) % BANK));
-    }
-  }, [jump]);
-  const shown = elements(array, first, BANK, length);
-  const values = useValues(array, shown.map((one) => one.name), period);
+function Digital({ onSwitch, children, ...bank }) {
+  const { head, rows } = useBank({ ...bank, size: BANK });
   return h(
     'section',
-    { class: 'panel', 'aria-label': title },
-    h(
-      'div',
-      { class: 'text-tools' },
-      h('h2', null, title),
-      h(BankChoice, { title, first, size: BANK, length, onChange: setFirst }),
-    ),
-    h(
-      'ul',
-      { class: 'lamps' },
-      shown.map((one) =>
-        h(Lamp, { key: one.name, ...one, names: names[one.name] ?? [], reading: values[one.name], onSwitch }),
-      ),
-    ),
+    { class: 'panel', 'aria-label': bank.title },
+    head,
+    h('ul', { class: 'lamps' }, rows.map((one) => h(Lamp, { key: one.name, ...one, onSwitch }))),
     children,
   );
 }
 
-function Analog({ title, array, length, names, period, onSet }) {
-  const [first, setFirst] = useState(1);
-  const shown = elements(array, first, ANALOG_BANK, length);
-  const values = useValues(array, shown.map((one) => one.name), period);
+function Analog({ onSet, ...bank }) {
+  const { head, rows } = useBank({ ...bank, size: ANALOG_BANK });
   return h(
     'section',
-    { class: 'panel', 'aria-label': title },
-    h(
-      'div',
-      { class: 'text-tools' },
-      h('h2', null, title),
-      h(BankChoice, { title, first, size: ANALOG_BANK, length, onChange: setFirst }),
-    ),
+    { class: 'panel', 'aria-label': bank.title },
+    head,
     h(
       'ul',
       { class: 'analog' },
-      shown.map(({ name, number }) => {
-        const reading = values[name];
+      rows.map(({ name, number, names, reading }) => {
         const known = typeof reading?.value === 'number';
         return h(
           'li',
           { key: name },
           h('span', { class: 'number' }, number),
-          h('span', { class: 'names' }, (names[name] ?? []).join(', ')),
+          h('span', { class: 'names' }, names.join(', ')),
           known && h('meter', { min: -1, max: 1, value: reading.value, 'aria-label': name }),
           h(
             'span',

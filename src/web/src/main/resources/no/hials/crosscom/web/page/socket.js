@@ -1,7 +1,7 @@
 // The connection to the server: commands with their answers, events, and watched variables. It
 // connects again by itself and then watches again what was watched before.
 
-import { changed, state } from './state.js';
+import { changed, forgetServerTime, noteServerTime, state } from './state.js';
 
 const LONGEST_WAIT = 10_000;
 const PING_PERIOD = 3000;
@@ -22,6 +22,7 @@ export function connect() {
   socket.onopen = () => {
     attempts = 0;
     state.socket = 'open';
+    forgetServerTime();
     changed();
     begin().catch(() => own.close());
   };
@@ -125,7 +126,7 @@ function receive(message) {
   }
   if (message.event === 'header') {
     state.headers[message.robot] = message;
-    state.clockOffset = message.now - Date.now();
+    noteServerTime(message.now);
     changed();
   } else if (message.event === 'jog') {
     state.jogs[message.robot] = message;

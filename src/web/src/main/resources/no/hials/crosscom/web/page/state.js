@@ -13,8 +13,6 @@ export const state = {
   headers: {},
   /** The last jog event of each robot, by its name: who jogs it. */
   jogs: {},
-  /** The time of the server minus that of this computer, in ms. */
-  clockOffset: 0,
   /** The player of the recording that is open in all views; null shows the robot. */
   replay: null,
   /** Short messages at the edge of the page. */
@@ -47,9 +45,29 @@ export function useSharedState() {
   return state;
 }
 
-/** Returns the time of the server, in ms since 1970. */
+const CLOCK_DRIFT = 0.0002; // two clocks run apart by less than 17 s a day
+const clock = { offset: Infinity, noted: 0 };
+
+/** Forgets the clock of the server: a new connection may be to one that was set again. */
+export function forgetServerTime() {
+  clock.offset = Infinity;
+}
+
+/**
+ * Notes the time at which the server sent a message. The fastest message tells it best: one that the
+ * network held back must not make old values look new.
+ */
+export function noteServerTime(sent) {
+  const here = performance.now();
+  const offset = sent - here;
+  const before = clock.offset - (here - clock.noted) * CLOCK_DRIFT;
+  clock.offset = Number.isFinite(before) && offset < before ? before : offset;
+  clock.noted = here;
+}
+
+/** Returns the time of the server, in ms since 1970; infinite before its first message. */
 export function serverTime() {
-  return Date.now() + state.clockOffset;
+  return performance.now() + clock.offset;
 }
 
 /** Returns the header of the chosen robot; an empty object before the first one. */

@@ -287,18 +287,22 @@ final class MoveChecks {
   private void checkLimits() {
     String name = "Software limits";
     if (!(value("$AXIS_ACT") instanceof KrlStruct axes)
-        || !(value("$SOFTN_END[]") instanceof KrlArray least)
-        || !(value("$SOFTP_END[]") instanceof KrlArray most)
-        || least.elements().size() < AXES
-        || most.elements().size() < AXES) {
+        || !(value("$SOFTN_END[]") instanceof KrlArray lower)
+        || !(value("$SOFTP_END[]") instanceof KrlArray upper)
+        || lower.elements().size() < AXES
+        || upper.elements().size() < AXES) {
       add(name, State.UNKNOWN, "$AXIS_ACT, $SOFTN_END[] or $SOFTP_END[] could not be read", "");
       return;
     }
     List<String> reached = new ArrayList<>();
     for (int i = 0; i < AXES; i++) {
-      double low = number(least.elements().get(i));
-      double high = number(most.elements().get(i));
+      double low = number(lower.elements().get(i));
+      double high = number(upper.elements().get(i));
       double axis = axes.get("A" + (i + 1)).map(MoveChecks::number).orElse(Double.NaN);
+      if (Double.isNaN(axis + low + high)) {
+        add(name, State.UNKNOWN, "A" + (i + 1) + " or its limits are not numbers", "");
+        return;
+      }
       if (axis <= low + AT_LIMIT || axis >= high - AT_LIMIT) {
         reached.add(
             String.format(Locale.ROOT, "A%d is at %.2f of %.2f to %.2f", i + 1, axis, low, high));

@@ -49,6 +49,7 @@ export function Checks() {
   const [open] = useState(() => matchMedia('(min-width: 1001px)').matches); // at first
   const checks = event?.checks ?? [];
   const first = checks.find((one) => one.state === 'problem');
+  const unknown = checks.filter((one) => one.state === 'unknown').length;
   const old = event && (isStale(header()) || serverTime() - event.time > OLD);
   const words = !event
     ? 'Reading …'
@@ -56,12 +57,14 @@ export function Checks() {
       ? 'The robot moves.'
       : first
         ? `First problem: ${first.name}. ${first.advice}`
-        : 'No problem found. See the running line: the program may compute or wait.';
+        : unknown === checks.length
+          ? 'Nothing could be checked.'
+          : `No problem found${unknown ? `, but ${unknown} of ${checks.length} checks are unknown` : ''}. See the running line: the program may compute or wait.`;
   return h(
     'section',
     { class: `panel checks ${old ? 'stale' : ''}`, 'aria-label': 'Why does it not move?' },
     h('h2', null, 'Why does it not move?'),
-    h('p', { class: `verdict ${first ? 'problem' : 'ok'}`, 'aria-live': 'polite' }, words),
+    h('p', { class: `verdict ${first || unknown === checks.length ? 'problem' : 'ok'}`, 'aria-live': 'polite' }, words),
     h(
       'details',
       { open },

@@ -63,7 +63,7 @@ public final class SampledRobot implements Closeable {
     return new SampledRobot(connection, sampling);
   }
 
-  /** Passes an event of the connection to the thread of the command. */
+  /** Passes an event of the connection to the thread that samples. */
   void pass(ConnectionEvent event) {
     sampling.add(listener -> changed(event));
   }

@@ -90,7 +90,7 @@ public final class Sampling implements Closeable {
     boolean tick() throws IOException;
   }
 
-  /** An event from the threads of the client, handled in the thread of the command. */
+  /** An event from the threads of the client, handled in the thread that samples. */
   @FunctionalInterface
   interface Event {
     void handle(Listener listener) throws IOException;
@@ -261,7 +261,7 @@ public final class Sampling implements Closeable {
         || (start != null && next.time().plus(MAX_WAIT).isBefore(Instant.now()));
   }
 
-  /** Passes an event from the threads of the client to the thread of the command. */
+  /** Passes an event from the threads of the client to the thread that samples. */
   void add(Event event) {
     queue.add(event);
   }

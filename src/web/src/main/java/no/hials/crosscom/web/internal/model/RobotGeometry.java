@@ -62,9 +62,9 @@ record RobotGeometry(
   /**
    * A linear unit, E1.
    *
-   * @param minimum the least E1, mm
+   * @param minimum the smallest E1, mm
    * @param maximum the largest E1, mm
-   * @param from the foot of the robot in the world at the least E1
+   * @param from the foot of the robot in the world at the smallest E1
    * @param to the foot of the robot in the world at the largest E1
    */
   record Rail(double minimum, double maximum, Frame from, Frame to) {}

@@ -51,6 +51,12 @@ class PlotCommandTest {
   }
 
   @Test
+  void drawsWidePictures() throws IOException {
+    plot("--size", "3840x1000").succeeds().containsExactly("wrote " + svg);
+    assertThat(Pictures.svg(svg).getDocumentElement().getAttribute("width")).isEqualTo("3840");
+  }
+
+  @Test
   void drawsAPanelForEachStructureAndUnit() throws IOException {
     plot().succeeds().containsExactly("wrote " + svg);
     assertThat(Pictures.texts(svg).lines())
@@ -266,11 +272,13 @@ class PlotCommandTest {
         "$POS_AC                   | there is no column $POS_AC in FILE, it has: $POS_ACT $OV_PRO"
             + " $MODE_OP $PERI_RDY access_ms",
         "$MODE_OP                  | $MODE_OP cannot be drawn: it has texts, such as #T1",
-        "--xy=$POS_ACT.X           | --xy must be two names with a comma between them, is $POS_ACT.X",
+        "--xy=$POS_ACT.X           | --xy must be two names with a comma between them, is"
+            + " $POS_ACT.X",
         "--xy=$POS_ACT.X,$POS_ACT  | --xy must be two columns, $POS_ACT is 6, such as $POS_ACT.X",
         "--size=100x100            | invalid value for option '--size': width must be 300 to 10000"
             + " pixels, is 100",
-        "--size=1000               | invalid value for option '--size': must be like 1200x800, is 1000",
+        "--size=1000               | invalid value for option '--size': must be like 1200x800, is"
+            + " 1000",
         "--size=300x200            | a picture of 300x200 is too small for its 4 panels: it must be"
             + " at least 588 pixels high",
       })
@@ -289,7 +297,8 @@ class PlotCommandTest {
       value = {
         "''                 | cannot draw FILE: it must have a line of names and lines of numbers",
         "'a,b;1,2;x,3'      | cannot draw FILE: line 3 must begin with a number, begins with x",
-        "'1,2;3,4'          | cannot draw FILE: the first line must name the columns, begins with 1",
+        "'1,2;3,4'          | cannot draw FILE: the first line must name the columns, begins with"
+            + " 1",
         "'a;1'              | nothing in FILE can be drawn: it has no numbers",
         "'a,b;1,2;3'        | cannot draw FILE: line 3 must have 2 fields, has 1",
         "'a,b;1,2;3,\"4;5,6' | cannot read FILE: unclosed quoted field at end of input (record"

@@ -39,8 +39,54 @@ final class ChartPainter {
    * @throws IllegalArgumentException if the size is too small for its panels
    */
   static void paint(Chart chart, Graphics2D g, Chart.Size size) throws NoFontsException {
-    Typeface.check();
+    check(chart, size);
     new ChartPainter(chart, size).paint(g);
+  }
+
+  /**
+   * Checks that a chart can be drawn in a size.
+   *
+   * @throws IllegalArgumentException if the size is too small for its panels
+   */
+  static void check(Chart chart, Chart.Size size) throws NoFontsException {
+    Typeface.check();
+    ChartPainter painter = new ChartPainter(chart, size);
+    int missing = painter.missingHeight();
+    if (missing > 0) {
+      throw painter.tooSmall((size.height() + missing) + " pixels high");
+    }
+    int needed = size.width();
+    for (missing = painter.missingWidth(); missing > 0; ) {
+      needed += missing;
+      missing = new ChartPainter(chart, new Chart.Size(needed, size.height())).missingWidth();
+    }
+    if (needed > size.width()) {
+      throw painter.tooSmall(needed + " pixels wide");
+    }
+  }
+
+  private IllegalArgumentException tooSmall(String needed) {
+    return new IllegalArgumentException(
+        "a picture of "
+            + size.width()
+            + "x"
+            + size.height()
+            + " is too small for its "
+            + chart.panels().size()
+            + (chart.panels().size() == 1 ? " panel" : " panels")
+            + ": it must be at least "
+            + needed);
+  }
+
+  /** Returns by how many pixels the picture is too low; 0 if it is high enough. */
+  private int missingHeight() {
+    return Math.max(0, (MIN_PLOT_HEIGHT - plotHeight()) * rows());
+  }
+
+  /** Returns by how many pixels the picture is too narrow; 0 if it is wide enough. */
+  private int missingWidth() {
+    return chart.columns()
+        * painters(plotHeight()).stream().mapToInt(PanelPainter::missingWidth).max().orElse(0);
   }
 
   private void paint(Graphics2D g) {
@@ -99,20 +145,7 @@ final class ChartPainter {
     for (int row = 0; row < rows(); row++) {
       left -= headerHeight(row);
     }
-    int height = left / rows();
-    if (height < MIN_PLOT_HEIGHT) {
-      throw new IllegalArgumentException(
-          "a picture of "
-              + size.width()
-              + "x"
-              + size.height()
-              + " is too small for its "
-              + chart.panels().size()
-              + " panels: it must be at least "
-              + (size.height() + (MIN_PLOT_HEIGHT - height) * rows())
-              + " pixels high");
-    }
-    return height;
+    return Math.floorDiv(left, rows());
   }
 
   /** Creates the painters, whose left edges are aligned in each column. */

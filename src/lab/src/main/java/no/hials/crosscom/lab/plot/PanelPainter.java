@@ -20,10 +20,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
  * line piece by piece, so that dashes restart at each point and an SVG becomes long.
  */
 final class PanelPainter {
-  /**
-   * The minimum width and height within the axes, in pixels. XChart does not report the positions
-   * of points in a plot smaller than the distance between the ticks of the x axis.
-   */
+  /** The minimum width within the axes, and the minimum distance of ticks, in pixels. */
   private static final int MIN_PLOT = 40;
 
   private static final BasicStroke THIN = new BasicStroke(1);
@@ -65,6 +62,11 @@ final class PanelPainter {
     }
   }
 
+  /** Returns by how many pixels the plot is too narrow; 0 if it is wide enough. */
+  int missingWidth() {
+    return (int) Math.max(0, Math.ceil(MIN_PLOT - plot(laidOut()).getWidth()));
+  }
+
   void paint(Graphics2D g) {
     XYChart chart = xyChart();
     chart.paint(g, width, height);
@@ -90,26 +92,23 @@ final class PanelPainter {
   /** Widens the range of the axis with more pixels per unit. */
   private void makeScalesEqual() {
     Rectangle2D plot = plot(laidOut());
-    double unit = Math.max(x.span() / plot.getWidth(), y.span() / plot.getHeight());
-    x = x.ofSpan(unit * plot.getWidth());
+    double plotWidth = Math.max(MIN_PLOT, plot.getWidth());
+    double unit = Math.max(x.span() / plotWidth, y.span() / plot.getHeight());
+    x = x.ofSpan(unit * plotWidth);
     y = y.ofSpan(unit * plot.getHeight());
   }
 
   /** Returns the area within the axes of a drawn chart. */
   private Rectangle2D plot(XYChart chart) {
+    // in a plot lower or narrower than this hint, XChart reports no positions
+    chart.getStyler().setXAxisTickMarkSpacingHint(1);
     double left = chart.getScreenXFromChart(x.min());
     double top = chart.getScreenYFromChart(y.max());
-    Rectangle2D plot =
-        new Rectangle2D.Double(
-            left,
-            top,
-            chart.getScreenXFromChart(x.max()) - left,
-            chart.getScreenYFromChart(y.min()) - top);
-    if (plot.getWidth() < MIN_PLOT || plot.getHeight() < MIN_PLOT) {
-      throw new IllegalArgumentException(
-          "the picture is too small: " + width + "x" + height + " pixels are left for a panel");
-    }
-    return plot;
+    return new Rectangle2D.Double(
+        left,
+        top,
+        chart.getScreenXFromChart(x.max()) - left,
+        chart.getScreenYFromChart(y.min()) - top);
   }
 
   /** Returns the chart after a first drawing, which computes the layout. */

@@ -2,6 +2,7 @@ package no.hials.crosscom.lab.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.awt.Color;
 import java.awt.image.BufferedImage;
@@ -297,6 +298,44 @@ class ChartTest {
       List<Double> numbers = numbers(line);
       assertThat(numbers.get(1) - numbers.get(3)).isGreaterThan(30);
     }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"880, 380", "3840, 420", "10000, 380"})
+  void drawsTheLinesOfWidePanelsInTheirPlaces(int width, int height) throws IOException {
+    Path file = folder.resolve("a.svg");
+    Panel panel = Panel.of("", TIME, LENGTH, Panel.Scale.FREE, List.of(line("", 1, 2)));
+
+    Chart.stacked("t", List.of(panel, panel, panel)).write(file, new Chart.Size(width, height));
+
+    List<String> lines = lines(Pictures.svg(file), BLUE);
+    assertThat(lines).hasSize(3);
+    for (String line : lines) {
+      List<Double> numbers = numbers(line);
+      assertThat(numbers.get(1) - numbers.get(3)).isGreaterThan(30);
+      assertThat(numbers.get(2) - numbers.get(0)).isGreaterThan(width * 0.9);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(names = "VIEW", mode = EnumSource.Mode.EXCLUDE)
+  void refusesASizeThatIsTooNarrowAndSaysHowWideItMustBe(Panel.Scale scale) throws IOException {
+    double[] large = {-1e15, 1e15};
+    Series series = Series.of("a", Style.LINE, new double[] {0, 1}, large);
+    Panel panel = Panel.of("p", TIME, LENGTH, scale, List.of(series));
+    Chart chart = new Chart("t", List.of(panel, panel, panel), 3);
+    Path file = folder.resolve("a.png");
+
+    String message =
+        catchThrowableOfType(
+                IllegalArgumentException.class, () -> chart.write(file, new Chart.Size(300, 300)))
+            .getMessage();
+
+    assertThat(message)
+        .matches("a picture of 300x300 is too small .* must be at least \\d+ pixels wide");
+    int needed = Integer.parseInt(message.replaceAll(".* least (\\d+) .*", "$1"));
+    chart.write(file, new Chart.Size(needed, 300));
+    assertThat(Pictures.png(file).getWidth()).isEqualTo(needed);
   }
 
   @Test

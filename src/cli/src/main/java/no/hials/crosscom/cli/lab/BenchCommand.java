@@ -231,6 +231,9 @@ public final class BenchCommand extends ControllerCommand {
     if (accesses.isEmpty()) {
       return ExitCode.REFUSED;
     }
+    if (plot != null) {
+      pictureOptions.checkSize(this, BenchReport.largestChart(accesses));
+    }
     Map<String, Double> serverMillis = serverMillis(controller.client(), accesses);
     return tried.orWorse(measure(controller, accesses, serverMillis));
   }

@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import no.hials.crosscom.cell.JsonLine;
 import no.hials.crosscom.cell.Printable;
 import no.hials.crosscom.cell.TimeText;
@@ -170,6 +171,17 @@ final class BenchReport {
     return Chart.stacked(title, panels);
   }
 
+  /** Creates a chart whose texts are longer than those of any result of these accesses. */
+  static Chart largestChart(List<BenchAccess> accesses) {
+    String count = "1000000000";
+    List<Series> series =
+        Stream.of(shown(count, count), "50 %: " + count + " ms", "99 %: " + count + " ms")
+            .map(name -> Series.histogram(name, 0, 1, 0))
+            .toList();
+    return Chart.stacked(
+        "Access times", accesses.stream().map(access -> panel(access, series)).toList());
+  }
+
   private Panel panel(Bins bins, BenchAccess access, Histogram times) {
     long[] counts = bins.counts(times);
     long beyond = counts[bins.count];
@@ -179,10 +191,8 @@ final class BenchReport {
       shown[i] = counts[i];
       most = Math.max(most, counts[i]);
     }
-    String name =
-        times.getTotalCount()
-            + " accesses"
-            + (beyond == 0 ? "" : ", " + beyond + " of them beyond the axis");
+    String total = String.valueOf(times.getTotalCount());
+    String name = shown(total, beyond == 0 ? "" : String.valueOf(beyond));
     List<Series> series = new ArrayList<>();
     series.add(Series.histogram(name, bins.start(0), bins.width, shown));
     if (times.getTotalCount() > 0) {
@@ -191,6 +201,16 @@ final class BenchReport {
       series.add(upright("50 %: " + decimal(median) + " ms", bins, median, most));
       series.add(upright("99 %: " + decimal(high) + " ms", bins, high, most));
     }
+    return panel(access, series);
+  }
+
+  private static String shown(String total, String beyond) {
+    return total
+        + " accesses"
+        + (beyond.isEmpty() ? "" : ", " + beyond + " of them beyond the axis");
+  }
+
+  private static Panel panel(BenchAccess access, List<Series> series) {
     String title =
         access.label()
             + " ("

@@ -41,6 +41,23 @@ final class PictureOptions {
   }
 
   /**
+   * Refuses a size that is too small.
+   *
+   * @param largest a chart that needs at least as much space as the one to draw
+   */
+  void checkSize(ConsoleCommand command, Chart largest) throws FileException {
+    if (size != null) {
+      try {
+        largest.checkSize(size);
+      } catch (IllegalArgumentException e) {
+        throw command.wrongUsage(String.valueOf(e.getMessage()));
+      } catch (NoFontsException e) {
+        throw new FileException("cannot draw a picture: " + e.getMessage(), e);
+      }
+    }
+  }
+
+  /**
    * Draws a chart.
    *
    * @param usual the size if the user chose none

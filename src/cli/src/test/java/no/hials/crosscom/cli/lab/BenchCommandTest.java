@@ -293,6 +293,32 @@ class BenchCommandTest {
   }
 
   @Test
+  void refusesAPictureThatIsTooSmallBeforeItMeasures() {
+    Path svg = folder.resolve("a.svg");
+
+    Cli.Result result =
+        bench("--count", "50", "MYINT", "$OV_PRO", "--plot", svg.toString(), "--size", "900x240");
+
+    assertThat(result.fails(2).actual())
+        .contains("a picture of 900x240 is too small for its 2 panels: it must be at least ");
+    assertThat(result.out()).isEmpty();
+    assertThat(server.requests().stream().filter(it -> it.name().equals("MYINT")))
+        .as("the read before the measurement")
+        .hasSize(1);
+    assertThat(svg).doesNotExist();
+  }
+
+  @Test
+  void drawsWidePictures() throws IOException {
+    Path svg = folder.resolve("a.svg");
+
+    bench("--count", "5", "MYINT", "$OV_PRO", "--plot", svg.toString(), "--size", "3840x400")
+        .succeeds();
+
+    assertThat(Pictures.texts(svg).lines()).hasSize(3);
+  }
+
+  @Test
   void drawsAlsoIfNobodyReadsWhatItPrints() throws IOException {
     Path svg = folder.resolve("a.svg");
 

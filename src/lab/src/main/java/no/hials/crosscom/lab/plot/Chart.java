@@ -40,12 +40,25 @@ public record Chart(String title, List<Panel> panels, int columns) {
   }
 
   /**
+   * Checks that the chart can be drawn in a size.
+   *
+   * @param size the size of the picture
+   * @throws IllegalArgumentException if the size is too small; the message names one that is not
+   * @throws NoFontsException if Java finds no font
+   */
+  public void checkSize(Size size) throws NoFontsException {
+    Format.useNoDisplay();
+    ChartPainter.check(this, size);
+  }
+
+  /**
    * Writes the chart to a file and replaces an existing file. The picture is complete or not there:
    * it is written to a temporary file next to the file, which is then renamed.
    *
    * @param file the file; the end of its name decides between PNG and SVG
    * @param size the size of the picture
-   * @throws IllegalArgumentException if the name ends neither with .png nor with .svg
+   * @throws IllegalArgumentException if the name ends neither with .png nor with .svg, or if the
+   *     size is too small; the message names one that is not
    * @throws NoFontsException if Java finds no font
    * @throws IOException if the file cannot be written
    */

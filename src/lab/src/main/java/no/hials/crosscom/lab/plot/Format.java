@@ -39,6 +39,11 @@ enum Format {
   };
 
   static {
+    useNoDisplay();
+  }
+
+  /** Lets Java draw without a display, unless the user set the property. */
+  static void useNoDisplay() {
     // no display is needed, and a DISPLAY that does not exist would be an error
     if (System.getProperty("java.awt.headless") == null) {
       System.setProperty("java.awt.headless", "true");

@@ -8,11 +8,8 @@ import java.net.InetSocketAddress;
 import java.net.ProxySelector;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletionStage;
@@ -25,7 +22,6 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.mock.MockServer;
@@ -98,17 +94,17 @@ public final class JogCuts {
   }
 
   private static boolean measure(int cuts, PrintStream out) throws IOException {
-    Path folder = Files.createTempDirectory("jogcuts");
     Robot cell = new Robot("cell", null, 0, null, null, null, null);
     List<MockServer> mocks = new ArrayList<>();
     List<Cut> done = new ArrayList<>();
     int lost = 0;
-    try (WebServer web =
+    try (TemporaryFolder folder = new TemporaryFolder("jogcuts");
+        WebServer web =
             WebServer.start(
                 WebConfig.create(
                     cfg ->
                         cfg.robots(List.of(cell))
-                            .folder(folder)
+                            .folder(folder.path())
                             .port(0)
                             .jogMaxDelay(Duration.ofSeconds(2)) // a pause is not a cut
                             .opener(
@@ -139,12 +135,6 @@ public final class JogCuts {
           throw new IOException("the robot does not move: " + answer);
         } else {
           prepare(mock.controller());
-        }
-      }
-    } finally {
-      try (Stream<Path> files = Files.walk(folder)) {
-        for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-          Files.delete(file);
         }
       }
     }

@@ -7,8 +7,6 @@ import java.io.PrintStream;
 import java.lang.management.ManagementFactory;
 import java.net.http.HttpClient;
 import java.net.http.WebSocket;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.CompletionStage;
@@ -51,17 +49,17 @@ public final class PageViewers {
     }
   }
 
-  private static void measure(int viewers, int seconds, int rows, PrintStream out)
+  static void measure(int viewers, int seconds, int rows, PrintStream out)
       throws IOException, InterruptedException {
-    Path folder = Files.createTempDirectory("viewers");
-    try (OtherProcess robot = new OtherProcess(PageViewers.class, "robot");
+    try (TemporaryFolder folder = new TemporaryFolder("viewers");
+        OtherProcess robot = new OtherProcess(PageViewers.class, "robot");
         OtherProcess others = new OtherProcess(PageViewers.class, "viewers")) {
       Robot cell =
           new Robot(
               "cell", "127.0.0.1", Integer.parseInt(robot.ask("port")), null, null, null, null);
       try (WebServer web =
           WebServer.start(
-              WebConfig.create(cfg -> cfg.robots(List.of(cell)).folder(folder).port(0)))) {
+              WebConfig.create(cfg -> cfg.robots(List.of(cell)).folder(folder.path()).port(0)))) {
         for (int i = 0; i < viewers; i++) {
           others.ask(web.link(Role.VIEW));
         }
@@ -85,8 +83,6 @@ public final class PageViewers {
               (Long.parseLong(robot.ask("count")) - requests) / (elapsed / 1e9));
         }
       }
-    } finally {
-      Files.deleteIfExists(folder);
     }
   }
 

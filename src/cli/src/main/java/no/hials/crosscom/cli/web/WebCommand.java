@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import no.hials.crosscom.ClientConfig;
@@ -23,9 +24,9 @@ import no.hials.crosscom.cli.base.LoadedFiles;
 import no.hials.crosscom.cli.base.RobotChoice;
 import no.hials.crosscom.cli.base.Robots;
 import no.hials.crosscom.cli.base.StopSignal;
+import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.simulator.Archive;
-import no.hials.crosscom.simulator.LoadingMode;
 import no.hials.crosscom.web.OwnCertificate;
 import no.hials.crosscom.web.PageAddress;
 import no.hials.crosscom.web.Role;
@@ -237,7 +238,7 @@ public final class WebCommand extends ConsoleCommand {
         WebConfig.create(
             cfg ->
                 cfg.robots(named(targets))
-                    .opener((robot, settings) -> connect(robot, settings, opened, loaded.mode()))
+                    .opener((robot, settings) -> connect(robot, settings, opened, loaded))
                     .folder(folder)
                     .address(address)
                     .certificate(chosen)
@@ -344,22 +345,24 @@ public final class WebCommand extends ConsoleCommand {
         .toList();
   }
 
-  private static RobotConnection connect(
+  private RobotConnection connect(
       Robot robot,
       Consumer<ClientConfig.Builder> settings,
       @Nullable Archive archive,
-      LoadingMode mode)
+      LoadedFiles loaded)
       throws IOException {
-    return robot.host() == null
-        ? Robots.open(
-            robot,
-            settings,
-            cfg -> {
-              if (archive != null) {
-                cfg.archive(archive, mode);
-              }
-            })
-        : RobotConnection.openLazily(robot, settings);
+    if (robot.host() != null) {
+      return RobotConnection.openLazily(robot, settings);
+    }
+    if (archive == null) {
+      return Robots.open(robot, settings);
+    }
+    RobotConnection connection =
+        Robots.open(robot, settings, cfg -> cfg.archive(archive, loaded.mode()));
+    MockServer simulation = Objects.requireNonNull(Robots.simulation(connection));
+    loaded.add(simulation.archiveReport());
+    loaded.lines().forEach(console()::hint);
+    return connection;
   }
 
   private static WebServer start(WebConfig config) throws IOException {

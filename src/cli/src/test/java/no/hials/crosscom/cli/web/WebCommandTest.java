@@ -47,6 +47,17 @@ class WebCommandTest {
         .contains("browsers will warn: the certificate is not for cell-pc");
   }
 
+  @Test
+  void theProblemsOfAnArchiveAreReported() throws Exception {
+    Path program = folder.resolve("cell/KRC/R1/Program");
+    Files.createDirectories(program);
+    Files.writeString(program.resolve("main.src"), "DEF MAIN( )\nMISSING()\nEND\n");
+
+    assertThat(run("--archive", folder.resolve("cell").toString()))
+        .contains("loaded with 1 warning KRC/R1/Program/main.src")
+        .contains("KRC/R1/Program/main.src:2:1: ");
+  }
+
   private static String fingerprint(String said) {
     return said.replaceAll("(?s).*fingerprint (\\S+).*", "$1");
   }

@@ -19,6 +19,7 @@ import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.simulator.LoadReport.FileReport;
 import no.hials.crosscom.simulator.LoadReport.Outcome;
+import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.files.ArchivedFile;
 import org.jspecify.annotations.Nullable;
 
@@ -124,6 +125,8 @@ final class ArchiveLoader {
         load(place);
         if (report(place).problems().size() > before.problems().size()) {
           put(place, before);
+        } else {
+          warn(place, before.problems().stream().filter(DataListLoader::isReplacement).toList());
         }
       }
     }

@@ -472,6 +472,83 @@ final class ArchiveTest {
     assertThat(variables.get("FIRST.NO")).isEqualTo("4");
   }
 
+  @Test
+  void aTypeThatAModuleReplacesIsAWarning() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put(
+        "KRC/R1/Program/a_types.dat",
+        text("DEFDAT A_TYPES PUBLIC\nGLOBAL STRUC SLOT_T INT NO\nENDDAT\n"));
+    files.put(
+        "KRC/R1/Program/b_types.dat",
+        text("DEFDAT B_TYPES PUBLIC\nGLOBAL STRUC SLOT_T INT NO,REAL X\nENDDAT\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report(report, "b_types.dat").problems())
+        .extracting(KrlError::message)
+        .containsExactly("type SLOT_T is known with other parts; this declaration replaces it");
+  }
+
+  @Test
+  void eachModuleUsesItsOwnOfTwoGlobalVariables() throws Exception {
+    Map<String, byte[]> files = cell();
+    for (String name : List.of("A1", "B1")) {
+      String list = "DEFDAT %s PUBLIC\nDECL GLOBAL INT STEP_OF=%d\nENDDAT\n";
+      files.put(
+          "KRC/R1/Program/" + name + ".dat", text(list.formatted(name, name.charAt(0) - 'A')));
+      files.put(
+          "KRC/R1/Program/" + name + ".src",
+          text("DEF %s( )\nPARTS=PARTS+10*(STEP_OF+1)\nEND\n".formatted(name)));
+    }
+    files.put("KRC/R1/Program/main.src", text("DEF MAIN( )\nPARTS=0\nA1()\nB1()\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report(report, "B1.dat").problems())
+        .extracting(KrlError::message)
+        .containsExactly("STEP_OF is GLOBAL in A1, too; this one is only for module B1");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("30");
+    assertThat(variables.get("STEP_OF")).isEqualTo("0");
+  }
+
+  @Test
+  void aVariableOfTheControllerIsNotReplacedByOneOfAModule() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/System/$config.dat", text("DEFDAT $CONFIG\nINT SHARED=1\nENDDAT\n"));
+    files.put(
+        "KRC/R1/Program/other.dat",
+        text("DEFDAT OTHER PUBLIC\nDECL GLOBAL INT SHARED=77\nENDDAT\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(report(report, "other.dat").problems())
+        .extracting(KrlError::message)
+        .containsExactly("SHARED is GLOBAL in $CONFIG, too; this one is only for module OTHER");
+    assertThat(variables.get("SHARED")).isEqualTo("1");
+  }
+
+  @Test
+  void ofTwoGlobalRoutinesThatOfTheModuleOfItsNameIsCalled() throws Exception {
+    Map<String, byte[]> files = cell();
+    files.put("KRC/R1/Program/main.src", text("DEF MAIN( )\nPARTS=0\nSUBM()\nEND\n"));
+    files.put("KRC/R1/Program/subm.src", text("DEF SUBM( )\nPARTS=5\nEND\n"));
+    files.put(
+        "KRC/R1/Program/two.src", text("DEF TWO( )\nEND\nGLOBAL DEF SUBM( )\nPARTS=6\nEND\n"));
+
+    LoadReport report = load(asFolder(files));
+
+    assertThat(
+            report.files().stream()
+                .flatMap(file -> file.problems().stream())
+                .map(KrlError::message))
+        .containsAnyOf(
+            "routine SUBM is also in module TWO; other modules call that of SUBM",
+            "routine SUBM is also in module SUBM; other modules call that of SUBM");
+    runMain();
+    assertThat(variables.get("PARTS")).isEqualTo("5");
+  }
+
   // hostile and odd zips
 
   @Test

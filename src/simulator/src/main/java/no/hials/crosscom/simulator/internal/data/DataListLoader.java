@@ -54,6 +54,8 @@ public final class DataListLoader {
                       .run(Declaration.InitialValue.class, DataListLoader::initialise)
                       .run(Declaration.External.class, DataListLoader::checkExternal));
 
+  private static final String REPLACES = " is known with other parts; this declaration replaces it";
+
   /** How often types are gone through, each time for those that need the types before. */
   private static final int MAX_TYPE_ROUNDS = 64;
 
@@ -152,6 +154,11 @@ public final class DataListLoader {
         || struc.components().stream().allMatch(component -> module.knowsType(component.type()));
   }
 
+  /** Returns whether an error is about a type that was replaced, which loading again hides. */
+  public static boolean isReplacement(KrlError error) {
+    return error.message().endsWith(REPLACES);
+  }
+
   /** Returns whether a data list is one of the controller itself, such as {@code $CONFIG}. */
   public static boolean isSystem(DataList list) {
     return list.name().startsWith("$");
@@ -222,10 +229,7 @@ public final class DataListLoader {
         // a structure that contains it would be too large or too deep, and keeps the old type
         errors.accept(new KrlError(position, String.valueOf(e.getMessage())));
       }
-      errors.accept(
-          new KrlError(
-              position,
-              "type " + name + " is known with other parts; this declaration replaces it"));
+      errors.accept(new KrlError(position, "type " + name + REPLACES));
     }
   }
 
@@ -267,6 +271,9 @@ public final class DataListLoader {
   /** Checks a name and returns the scope of its declaration. */
   private Scope checkNew(String name, boolean global, Position position) throws KrlErrorException {
     Scope target = target(global, position);
+    if (target == globals) {
+      target = owned(name, position);
+    }
     if (variables.putIfAbsent(Scope.key(name), target) != null) {
       throw new KrlErrorException(
           position, "a data list declares a name once, " + name + " is declared again");
@@ -281,6 +288,23 @@ public final class DataListLoader {
               + list.name());
     }
     return target;
+  }
+
+  /**
+   * Returns the scope of a GLOBAL name: that of the module if another list has declared it, so that
+   * each module uses its own. A system data list replaces the others, as when it is loaded again.
+   */
+  private Scope owned(String name, Position position) {
+    String owner = globals.owner(name);
+    if (isSystem || owner == null || owner.equalsIgnoreCase(list.name())) {
+      globals.setOwner(name, list.name());
+      return globals;
+    }
+    errors.accept(
+        new KrlError(
+            position,
+            name + " is GLOBAL in " + owner + ", too; this one is only for module " + list.name()));
+    return module;
   }
 
   private void declareVariables(Declaration.Variables group) {

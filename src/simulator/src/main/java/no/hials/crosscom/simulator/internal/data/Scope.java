@@ -67,6 +67,9 @@ public final class Scope {
   private final Map<String, VariableEntry> variables = new HashMap<>();
   private final Map<String, Guard> guards = new HashMap<>();
 
+  /** The data lists of GLOBAL variables by the keys of these; not of a copied table. */
+  private final Map<String, String> owners = new HashMap<>();
+
   /** The outputs that system signals are wired to; null if unknown. */
   private @Nullable BitSet systemOutputs;
 
@@ -301,6 +304,16 @@ public final class Scope {
       undo.variables().putIfAbsent(key, Optional.ofNullable(old));
     }
     return old;
+  }
+
+  /** Notes the data list that declares a variable of this scope. */
+  synchronized void setOwner(String name, String list) {
+    owners.put(key(name), list);
+  }
+
+  /** Returns the data list that declares a variable of this scope; null if none was loaded. */
+  synchronized @Nullable String owner(String name) {
+    return contains(name) ? owners.get(key(name)) : null;
   }
 
   /** Returns the warning of a system variable that is not known. */

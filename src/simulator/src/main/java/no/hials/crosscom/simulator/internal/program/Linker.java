@@ -197,12 +197,33 @@ final class Linker {
       }
       // assumed: the first routine is global without GLOBAL
       if (stop == null && (first || routine.global())) {
-        globalRoutines.put(Scope.key(routine.name()), head);
+        declareGlobal(key, routine, head, errors);
       }
       first = false;
     }
     ownRoutines.put(key, own);
     return errors;
+  }
+
+  /** Adds a routine that all modules can call. Of two, that with the name of its module counts. */
+  private void declareGlobal(
+      String moduleKey, Routine routine, CompiledRoutine head, LinkErrors errors) {
+    String key = Scope.key(routine.name());
+    CompiledRoutine other = globalRoutines.get(key);
+    boolean counts = other == null || key.equals(moduleKey);
+    if (counts) {
+      globalRoutines.put(key, head);
+    }
+    if (other != null && !other.module().equals(head.module())) {
+      errors.add(
+          routine.position(),
+          "routine "
+              + routine.name()
+              + " is also in module "
+              + other.module()
+              + "; other modules call that of "
+              + (counts ? head.module() : other.module()));
+    }
   }
 
   private static CompiledRoutine head(KrlModule module, Routine routine) {

@@ -2,6 +2,7 @@
 @SuppressWarnings("requires-automatic") // ANTLR sets its name in the manifest
 module no.hials.crosscom.lang {
   requires org.antlr.antlr4.runtime;
+  requires no.hials.crosscom.protocol;
   requires static org.jspecify;
 
   exports no.hials.crosscom.lang;

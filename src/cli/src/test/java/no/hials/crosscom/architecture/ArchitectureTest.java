@@ -78,7 +78,7 @@ class ArchitectureTest {
   private static final Map<String, String> USED_MODULES =
       Map.ofEntries(
           entry("protocol", ""),
-          entry("lang", ""),
+          entry("lang", "protocol"),
           entry("kinematics", "protocol"),
           entry("client", "protocol"),
           entry("control", "client kinematics protocol"),

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 
 /**
  * Parses KRL files.

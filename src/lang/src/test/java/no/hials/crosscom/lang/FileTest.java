@@ -8,7 +8,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.entry;
 
 import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
@@ -16,6 +15,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.lang.Routine.Parameter;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -163,7 +163,8 @@ class FileTest {
         "DEF A(B C);END          | 1:9 expected :, a comma or ), found C",
         "DEF A(B:X);END          | 1:9 expected IN or OUT, found X",
         "DEF A(B[3]:IN);END      | 1:9 the dimensions of a parameter must be open, as in NAME[]",
-        "DEF A23456789012345678901234X();END | 1:5 a name has at most 24 characters, A23456789012345678901234X has 25",
+        "DEF A23456789012345678901234X();END | 1:5 a name has at most 24 characters,"
+            + " A23456789012345678901234X has 25",
         "DECL DEF A();END        | 1:1 DECL is not allowed here",
         "DEF A()                 | 1:8 expected END, found the end of the file",
         "DEF A();B=1             | 2:4 expected END, found the end of the file",
@@ -174,7 +175,8 @@ class FileTest {
         "DEF A();END X           | 2:5 expected the end of the line, found X",
         "DEF A();END;B=1;C=1     | 3:1 expected DEF, DEFFCT or the end of the file, found B",
         "DEF A();END;END         | 3:1 expected DEF, DEFFCT or the end of the file, found END",
-        "DEF A();END;DEFDAT A;INT B;ENDDAT | 3:1 expected DEF, DEFFCT or the end of the file, found DEFDAT",
+        "DEF A();END;DEFDAT A;INT B;ENDDAT | 3:1 expected DEF, DEFFCT or the end of the file, found"
+            + " DEFDAT",
         "&;DEF A();END           | 1:1 expected a word after &",
         "DEFFCT A();ENDFCT       | 1:9 expected a name or [, found (",
         "DEFFCT INT A();END      | 2:1 expected ENDFCT, found END",
@@ -184,7 +186,8 @@ class FileTest {
         "DEFDAT A();ENDDAT       | 1:9 expected PUBLIC or the end of the line, found (",
         "DEFDAT A                | 1:9 expected ENDDAT, found the end of the file",
         "DEFDAT A;END            | 2:1 expected ENDDAT, found END",
-        "DEFDAT A;ENDAT          | 2:1 unknown statement ENDAT: expected = or ( after it, found the end of the file",
+        "DEFDAT A;ENDAT          | 2:1 unknown statement ENDAT: expected = or ( after it, found the"
+            + " end of the file",
         "DEFDAT A;ENDDAT;INT B;INT C | 3:1 expected the end of the file, found INT",
         "DEFDAT A;ENDDAT;DEF B();C=);END | 3:1 expected the end of the file, found DEF",
       })
@@ -235,26 +238,6 @@ class FileTest {
     Files.writeString(path, "\uFEFFDEF A()\nEND");
 
     assertThat(KrlParser.parse(path).errors()).isEmpty();
-  }
-
-  @Test
-  void keepsEveryByteOfAFileThatIsNotUtf8() {
-    byte[] bytes = {(byte) 0x80, (byte) 0x81, (byte) 0xFC, 0, 'A'};
-
-    assertThat(KrlEncoding.decode(bytes)).isEqualTo("\u20AC\u0081\u00FC\u0000A");
-  }
-
-  @ParameterizedTest
-  @ValueSource(
-      strings = {"plain?", "\u00FC\u20AC\u0081", "\u00C3\u00BC", "\u0080", "\u4E2D", "\uFEFFA"})
-  void readsWhatItWrote(String text) throws CharacterCodingException {
-    assertThat(KrlEncoding.decode(KrlEncoding.encode(text))).isEqualTo(text);
-  }
-
-  @Test
-  void writesWindows1252IfItCan() throws CharacterCodingException {
-    assertThat(KrlEncoding.encode("\u20AC\u0081?")).containsExactly(0x80, 0x81, '?');
-    assertThat(KrlEncoding.encode("\u0080")).containsExactly(0xEF, 0xBB, 0xBF, 0xC2, 0x80);
   }
 
   @Test

@@ -15,13 +15,13 @@ import java.util.Optional;
 import java.util.Set;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
-import no.hials.crosscom.lang.KrlEncoding;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
 import no.hials.crosscom.lang.VariableNote;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 import no.hials.crosscom.simulator.VariableInfo;
 
 /** Reads, writes and names the files of data lists. */

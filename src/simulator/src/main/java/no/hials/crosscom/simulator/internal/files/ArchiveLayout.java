@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Stream;
-import no.hials.crosscom.lang.KrlEncoding;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 import org.jspecify.annotations.Nullable;
 
 /**

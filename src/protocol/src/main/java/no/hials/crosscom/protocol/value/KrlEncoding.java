@@ -1,4 +1,4 @@
-package no.hials.crosscom.lang;
+package no.hials.crosscom.protocol.value;
 
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
@@ -69,8 +69,13 @@ public final class KrlEncoding {
     return bytes;
   }
 
-  /** Returns a text without the byte order mark that it begins with. */
-  static String withoutMark(String text) {
+  /**
+   * Removes the byte order mark at the beginning of a text.
+   *
+   * @param text the text of a file
+   * @return the text without it; the same text if it has none
+   */
+  public static String withoutMark(String text) {
     if (!text.isEmpty() && text.charAt(0) == MARK) {
       return text.substring(1);
     }

@@ -288,14 +288,15 @@ public interface ControllerFiles {
       throws IOException;
 
   /**
-   * Uploads a KRL text in ISO 8859-1. Line ends stay as they are; those of the controller are CR
-   * LF.
+   * Uploads a KRL text in Windows-1252, as a controller writes it
+   * (docs/reference/krl-language.md#files). Line ends stay as they are; those of the controller are
+   * CR LF.
    *
    * @param text the content
    * @param name the name of the file on the controller
    * @param config how to transfer
    * @throws IOException as for {@link #upload(Path, String)}
-   * @throws IllegalArgumentException if the text is not ISO 8859-1
+   * @throws IllegalArgumentException if Windows-1252 does not have a character of the text
    */
   void uploadText(String text, String name, TransferConfig config) throws IOException;
 
@@ -350,11 +351,13 @@ public interface ControllerFiles {
   void download(String name, Path target, TransferConfig config) throws IOException;
 
   /**
-   * Downloads a KRL text in ISO 8859-1. Line ends stay as they are.
+   * Downloads a KRL text: in UTF-8, with or without a byte order mark, if all of the file is valid
+   * UTF-8, otherwise in Windows-1252 (docs/reference/krl-language.md#files). Line ends stay as they
+   * are.
    *
    * @param name its name on the controller
    * @param config how to transfer; it overwrites nothing
-   * @return the content
+   * @return the content, without a byte order mark
    * @throws IOException as for {@link #download(String)}
    */
   String downloadText(String name, TransferConfig config) throws IOException;

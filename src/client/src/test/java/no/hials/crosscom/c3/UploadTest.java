@@ -9,6 +9,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -84,20 +86,29 @@ class UploadTest extends FilesRobotTest {
 
   @Test
   void aTextKeepsItsLineEndsAndUmlauts() throws Exception {
-    String text = "DEF test()\r\n; gr\u00fc\u00df\u00ff\nEND\r\n";
+    String text = "DEF test()\r\n; gr\u00fc\u00df\u00ff \u20ac \u2013 \nEND\r\n";
 
     files.uploadText(text, FILE, TransferConfig.DEFAULT);
 
-    assertThat(tree.text(FILE)).contains(text);
+    assertThat(tree.get(FILE)).isEqualTo(text.getBytes(Charset.forName("windows-1252")));
     assertThat(files.downloadText(FILE, TransferConfig.DEFAULT)).isEqualTo(text);
   }
 
   @Test
-  void aTextThatIsNotLatin1IsNotSent() {
+  void aTextThatIsNotWindows1252IsNotSent() {
     assertThatIllegalArgumentException()
-        .isThrownBy(() -> files.uploadText("a\u20ac", FILE, TransferConfig.DEFAULT))
-        .withMessage("the text must be ISO 8859-1, has U+20AC at index 1");
+        .isThrownBy(() -> files.uploadText("a\u03a9", FILE, TransferConfig.DEFAULT))
+        .withMessage("the text must be Windows-1252, has U+03A9 at index 1");
     assertThat(robot.requests()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "\uFEFF"})
+  void aTextThatAnEditorWroteInUtf8IsReadWithoutItsMark(String mark) throws Exception {
+    String text = "; \u20ac \u03a9\nEND";
+    tree.put(FILE, (mark + text).getBytes(StandardCharsets.UTF_8));
+
+    assertThat(files.downloadText(FILE, TransferConfig.DEFAULT)).isEqualTo(text);
   }
 
   @Test
@@ -125,8 +136,8 @@ class UploadTest extends FilesRobotTest {
         .withMessage(
             "the upload of "
                 + FILE
-                + " (nothing was stored) failed after 0 bytes: the file exists on the controller, and overwrite is"
-                + " false")
+                + " (nothing was stored) failed after 0 bytes: the file exists on the controller,"
+                + " and overwrite is false")
         .satisfies(e -> assertThat(e.getFile()).isEqualTo(FILE));
     assertThat(tree.text(FILE)).contains("old");
     assertThat(received(Step.BEGIN)).isEmpty();

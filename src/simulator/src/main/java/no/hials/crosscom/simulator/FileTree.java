@@ -2,10 +2,10 @@ package no.hials.crosscom.simulator;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 import no.hials.crosscom.simulator.internal.files.ControllerFileSystem;
 
 /**
@@ -99,11 +99,12 @@ public interface FileTree {
    * Writes a file of text, as {@link #put(String, byte[])} does.
    *
    * @param name its full or KRC name
-   * @param text the whole text; written as ISO 8859-1
-   * @throws IOException if the name is invalid or that of a folder, or the tree is full
+   * @param text the whole text; written as {@link KrlEncoding#encode} does
+   * @throws IOException if the name is invalid or that of a folder, the tree is full, or a
+   *     character is half a surrogate pair
    */
   default void put(String name, String text) throws IOException {
-    put(name, text.getBytes(StandardCharsets.ISO_8859_1));
+    put(name, KrlEncoding.encode(text));
   }
 
   /**
@@ -119,11 +120,11 @@ public interface FileTree {
    * Reads a file of text.
    *
    * @param name its full or KRC name
-   * @return its content, read as ISO 8859-1; empty if the file does not exist
+   * @return its content, read as {@link KrlEncoding#decode} does; empty if the file does not exist
    */
   default Optional<String> text(String name) {
     try {
-      return Optional.of(new String(get(name), StandardCharsets.ISO_8859_1));
+      return Optional.of(KrlEncoding.decode(get(name)));
     } catch (IOException e) {
       return Optional.empty();
     }

@@ -2,8 +2,6 @@ package no.hials.crosscom.internal.c3;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -22,7 +20,6 @@ import no.hials.crosscom.c3.FileEntry;
 import no.hials.crosscom.c3.FileInfo;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.internal.Cancellation;
-import no.hials.crosscom.internal.Latin1;
 import no.hials.crosscom.internal.MessageChannel;
 import no.hials.crosscom.protocol.ErrorCode;
 import no.hials.crosscom.protocol.MessageType;
@@ -48,13 +45,11 @@ import no.hials.crosscom.protocol.file.FileRequest.SetAttributesRequest;
 import no.hials.crosscom.protocol.file.FileResponse.FilePropertiesResponse;
 import no.hials.crosscom.protocol.file.FileResponse.ListDirectoryResponse;
 import no.hials.crosscom.protocol.file.ItemTime;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 import org.jspecify.annotations.Nullable;
 
 /** Works with files by messages of types 20 to 30. */
 public final class C3Files implements ControllerFiles {
-  /** KRL files have one byte per character; the code page is assumed, as for values. */
-  private static final Charset TEXT = StandardCharsets.ISO_8859_1;
-
   /**
    * Type, attributes and size in a list entry (docs/reference/c3-messages.md#files-20-to-28). The
    * form is known only from an example, so other texts are left unchanged.
@@ -292,7 +287,7 @@ public final class C3Files implements ControllerFiles {
   @Override
   public void uploadText(String text, String name, TransferConfig config) throws IOException {
     checkNull(text, "text", name, config);
-    upload(encoded(text), name, config);
+    upload(KrlEncoding.encodeWindows(text), name, config);
   }
 
   @Override
@@ -309,7 +304,7 @@ public final class C3Files implements ControllerFiles {
 
   @Override
   public String downloadText(String name, TransferConfig config) throws IOException {
-    return new String(download(name, config), TEXT);
+    return KrlEncoding.decode(download(name, config));
   }
 
   private static long checkedSize(long size) {
@@ -317,13 +312,6 @@ public final class C3Files implements ControllerFiles {
       throw new IllegalArgumentException("size must be 0 or more, is " + size);
     }
     return size;
-  }
-
-  private static byte[] encoded(String text) {
-    if (!Latin1.has(text)) {
-      throw new IllegalArgumentException("the text must be ISO 8859-1, " + Latin1.outside(text));
-    }
-    return text.getBytes(TEXT);
   }
 
   // --- transfers in another thread
@@ -355,7 +343,8 @@ public final class C3Files implements ControllerFiles {
   public CompletableFuture<Void> uploadTextAsync(String text, String name, TransferConfig config) {
     checkNull(text, "text", name, config);
     return transferAsync(
-        cancellation -> transfers.upload(encoded(text), checked(name), config, cancellation));
+        cancellation ->
+            transfers.upload(KrlEncoding.encodeWindows(text), checked(name), config, cancellation));
   }
 
   @Override
@@ -376,7 +365,8 @@ public final class C3Files implements ControllerFiles {
   public CompletableFuture<String> downloadTextAsync(String name, TransferConfig config) {
     checkNull(name, "name", name, config);
     return channel.asyncTransfer(
-        cancellation -> new String(transfers.download(checked(name), config, cancellation), TEXT));
+        cancellation ->
+            KrlEncoding.decode(transfers.download(checked(name), config, cancellation)));
   }
 
   /** Refuses null before a transfer begins, in the thread of the program. */

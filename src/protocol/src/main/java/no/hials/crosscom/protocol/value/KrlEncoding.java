@@ -55,17 +55,43 @@ public final class KrlEncoding {
    * @throws CharacterCodingException if a character is half a surrogate pair
    */
   public static byte[] encode(String text) throws CharacterCodingException {
-    byte[] windows = text.getBytes(WINDOWS);
-    for (int i = 0; i < windows.length && windows.length == text.length(); i++) {
-      boolean undefined = windows[i] == '?' && text.charAt(i) <= LAST_BYTE;
-      windows[i] = undefined ? (byte) text.charAt(i) : windows[i];
-    }
+    byte[] windows = windowsBytes(text);
     if (decode(windows).equals(text)) {
       return windows;
     }
     ByteBuffer encoded = StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(MARK + text));
     byte[] bytes = new byte[encoded.remaining()];
     encoded.get(bytes);
+    return bytes;
+  }
+
+  /**
+   * Encodes the contents of a file in Windows-1252, as a controller does. {@link #decode} returns
+   * another text if the bytes are valid UTF-8.
+   *
+   * @param text the text
+   * @return the bytes of the file, one per character
+   * @throws IllegalArgumentException if Windows-1252 does not have a character
+   */
+  public static byte[] encodeWindows(String text) {
+    byte[] bytes = windowsBytes(text);
+    int index = CharBuffer.wrap(windows(bytes)).mismatch(CharBuffer.wrap(text));
+    if (index >= 0) {
+      throw new IllegalArgumentException(
+          String.format(
+              "the text must be Windows-1252, has U+%04X at index %d",
+              text.codePointAt(index), index));
+    }
+    return bytes;
+  }
+
+  /** Encodes Windows-1252, as {@link #windows} decodes it; other characters become a "?". */
+  private static byte[] windowsBytes(String text) {
+    byte[] bytes = text.getBytes(WINDOWS);
+    for (int i = 0; i < bytes.length && bytes.length == text.length(); i++) {
+      boolean undefined = bytes[i] == '?' && text.charAt(i) <= LAST_BYTE;
+      bytes[i] = undefined ? (byte) text.charAt(i) : bytes[i];
+    }
     return bytes;
   }
 

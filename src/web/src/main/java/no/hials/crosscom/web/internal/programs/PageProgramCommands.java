@@ -3,7 +3,6 @@ package no.hials.crosscom.web.internal.programs;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
@@ -18,6 +17,7 @@ import no.hials.crosscom.cell.RemoteName;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.protocol.code.Interpreter;
+import no.hials.crosscom.protocol.value.KrlEncoding;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.audit.AuditLog;
 import no.hials.crosscom.web.internal.robot.Changes;
@@ -136,8 +136,8 @@ public final class PageProgramCommands {
     answer.put("path", path);
     answer.put("size", content.length);
     answer.put("exists", robots.of(call).client().files().exists(path));
-    String text = new String(content, StandardCharsets.ISO_8859_1);
-    List<KrlError> errors = KrlParser.parse(RemoteName.last(path), text).errors();
+    List<KrlError> errors =
+        KrlParser.parse(RemoteName.last(path), KrlEncoding.decode(content)).errors();
     answer.put("errors", errors.size());
     ArrayNode first = answer.putArray("first");
     errors.stream().limit(MAX_ERRORS).forEach(error -> first.add(error.toString()));

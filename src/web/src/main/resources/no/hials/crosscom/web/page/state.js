@@ -19,6 +19,8 @@ export const state = {
   notes: [],
 };
 
+const AGE_PERIOD = 100; // ms
+
 const listeners = new Set();
 let scheduled = false;
 
@@ -70,6 +72,14 @@ export function serverTime() {
   return performance.now() + clock.offset;
 }
 
+/**
+ * Returns the robot of a view, which stays the same until the view ends: what the view sends late
+ * must not reach another robot.
+ */
+export function useRobot() {
+  return useState(state.robot)[0];
+}
+
 /** Returns the header of the chosen robot; an empty object before the first one. */
 export function header() {
   return state.headers[state.robot] ?? {};
@@ -88,6 +98,18 @@ export function ageOf(one) {
 /** Returns whether the values of a header may no longer be true. */
 export function isStale(one) {
   return state.socket !== 'open' || one.connection !== 'connected' || ageOf(one) > 1000;
+}
+
+/** Renders again when a robot becomes stale, which happens without any event. */
+export function watchAges() {
+  let before = '';
+  setInterval(() => {
+    const stale = Object.values(state.headers).map(isStale).join();
+    if (stale !== before) {
+      before = stale;
+      changed();
+    }
+  }, AGE_PERIOD);
 }
 
 /** Returns whether this browser may change the chosen robot now. */

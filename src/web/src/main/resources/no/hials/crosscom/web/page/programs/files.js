@@ -3,7 +3,7 @@
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { mayWrite, note, state } from '../state.js';
+import { mayWrite, note, state, useRobot } from '../state.js';
 
 const ROOT = 'KRC:\\R1';
 const MAX_BYTES = 180 * 1024;
@@ -37,11 +37,11 @@ function base64(file) {
 }
 
 /** Checks a file, and returns the question before its upload. */
-async function uploadQuestion(file, folder, onDone) {
+async function uploadQuestion(robot, file, folder, onDone) {
   if (file.size > MAX_BYTES) {
     throw new Error(`${file.name} has ${file.size} bytes; the page uploads at most ${MAX_BYTES}. Use 'jopenshowvar file put'.`);
   }
-  const fields = { robot: state.robot, folder, name: file.name, content: await base64(file) };
+  const fields = { robot, folder, name: file.name, content: await base64(file) };
   const found = await call('upload-check', fields);
   return {
     title: found.exists ? `Replace ${file.name}?` : `Upload ${file.name}?`,
@@ -89,6 +89,7 @@ function Item({ item, onOpen, onShow, onSelect }) {
 
 /** Shows the files of a folder. */
 export function Files({ onAsk, onShow, version, onChanged }) {
+  const robot = useRobot();
   const [folder, setFolder, items] = useFolder(version);
   const parent = folder.slice(0, folder.lastIndexOf('\\'));
   const select = (item) =>
@@ -98,7 +99,7 @@ export function Files({ onAsk, onShow, version, onChanged }) {
       facts: [['Program', item.path]],
       warning: 'The robot does not move yet. Another selected program loses its place.',
       work: async () => {
-        await call('program-select', { robot: state.robot, name: item.path, confirmed: true });
+        await call('program-select', { robot, name: item.path, confirmed: true });
         onChanged();
         return `${item.name} is selected`;
       },
@@ -108,7 +109,7 @@ export function Files({ onAsk, onShow, version, onChanged }) {
     event.target.value = '';
     if (file) {
       try {
-        onAsk(await uploadQuestion(file, folder, onChanged));
+        onAsk(await uploadQuestion(robot, file, folder, onChanged));
       } catch (e) {
         note('error', e.message);
       }

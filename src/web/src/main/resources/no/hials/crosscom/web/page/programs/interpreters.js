@@ -2,7 +2,7 @@
 
 import { h } from 'preact';
 import { call } from '../socket.js';
-import { header, isStale, mayWrite, note, state, writeHint } from '../state.js';
+import { header, isStale, mayWrite, note, useRobot, writeHint } from '../state.js';
 
 const STATES = {
   '#P_FREE': 'no program selected',
@@ -34,11 +34,11 @@ function startHint(robotState, values) {
 }
 
 /** The dialogs before each order. */
-function question(order, interpreter, program) {
+function question(robotName, order, interpreter, program) {
   const name = program || 'the program';
   const robot = interpreter === 'robot';
   const send = (text) => async () => {
-    await call('program-order', { robot: state.robot, order, interpreter, confirmed: true });
+    await call('program-order', { robot: robotName, order, interpreter, confirmed: true });
     return text;
   };
   const facts = [['Interpreter', interpreter], ['Program', program || 'unknown']];
@@ -72,9 +72,9 @@ function question(order, interpreter, program) {
   }
 }
 
-async function stop(interpreter) {
+async function stop(robot, interpreter) {
   try {
-    await call('program-stop', { robot: state.robot, interpreter, confirmed: true });
+    await call('program-stop', { robot, interpreter, confirmed: true });
     note('done', `The controller has accepted the stop of the ${interpreter} interpreter.`);
   } catch (e) {
     note('error', e.message);
@@ -82,6 +82,7 @@ async function stop(interpreter) {
 }
 
 function Interpreter({ interpreter, title, program, programState, hint, bridge, onAsk }) {
+  const robot = useRobot();
   const may = mayWrite() && bridge;
   const selected = programState != null && programState !== '#P_FREE';
   const active = programState === '#P_ACTIVE';
@@ -91,7 +92,7 @@ function Interpreter({ interpreter, title, program, programState, hint, bridge, 
       {
         class: kind,
         disabled: !may || !enabled,
-        onClick: () => onAsk(question(name, interpreter, program)),
+        onClick: () => onAsk(question(robot, name, interpreter, program)),
       },
       text,
     );
@@ -114,7 +115,7 @@ function Interpreter({ interpreter, title, program, programState, hint, bridge, 
       'div',
       { class: 'buttons' },
       order('start', 'Start …', selected && !active, 'main'),
-      h('button', { class: 'stop', disabled: !may, onClick: () => stop(interpreter) }, 'Stop'),
+      h('button', { class: 'stop', disabled: !may, onClick: () => stop(robot, interpreter) }, 'Stop'),
       order('reset', 'Reset …', selected),
       order('cancel', 'Deselect …', selected && !active),
     ),

@@ -3,7 +3,7 @@
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { header, isStale, mayWrite, state, useSharedState } from '../state.js';
+import { header, isStale, mayWrite, state, useRobot, useSharedState } from '../state.js';
 
 const PERIOD = 1000; // ms
 const KINDS = {
@@ -47,6 +47,7 @@ function useMessages() {
 }
 
 function Question({ dialogue, onAsk }) {
+  const robot = useRobot();
   const answer = (key, label) =>
     onAsk({
       title: `Answer “${label}”?`,
@@ -57,7 +58,7 @@ function Question({ dialogue, onAsk }) {
       ],
       warning: 'The program goes on with this answer.',
       work: async () => {
-        const fields = { robot: state.robot, question: dialogue.text, key, confirmed: true };
+        const fields = { robot, question: dialogue.text, key, confirmed: true };
         await call('answer', fields);
         return `answered: ${label}`;
       },
@@ -80,9 +81,11 @@ function Question({ dialogue, onAsk }) {
 
 /** Shows the messages. */
 export function Messages({ known, onAsk }) {
+  const robot = useRobot();
   const answer = useMessages();
-  const waits = header().stop === 'TRUE';
-  const unknown = header().stop == null || isStale(header());
+  const { stop } = header();
+  const waits = stop === 'TRUE';
+  const unknown = (stop !== 'TRUE' && stop !== 'FALSE') || isStale(header());
   const can = known?.bridge || known?.simulated;
   const confirm = () =>
     onAsk({
@@ -91,7 +94,7 @@ export function Messages({ known, onAsk }) {
       facts: [],
       warning: 'Remove their causes first. A program that waits for the confirmation goes on.',
       work: async () => {
-        await call('confirm', { robot: state.robot, confirmed: true });
+        await call('confirm', { robot, confirmed: true });
         return 'The controller has confirmed its messages.';
       },
     });

@@ -4,7 +4,7 @@ import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { Dialog } from '../dialog.js';
 import { call } from '../socket.js';
-import { header, note, state } from '../state.js';
+import { header, note, useRobot } from '../state.js';
 
 function Facts({ entry, range, constants }) {
   const rows = [
@@ -24,6 +24,7 @@ function Facts({ entry, range, constants }) {
 
 /** Asks for a new value, and then whether to write it. */
 export function Edit({ name, onClose }) {
+  const robot = useRobot();
   const [before, setBefore] = useState(null);
   const [value, setValue] = useState('');
   const [known, setKnown] = useState({ constants: [] });
@@ -31,13 +32,13 @@ export function Edit({ name, onClose }) {
   const [error, setError] = useState('');
   const [busy, setBusy] = useState(false);
   useEffect(() => {
-    call('read', { robot: state.robot, name })
+    call('read', { robot, name })
       .then(({ text }) => {
         setBefore(text);
         setValue(text);
       })
       .catch((e) => setError(e.message));
-    call('describe', { robot: state.robot, name })
+    call('describe', { robot, name })
       .then((answer) => setKnown({ constants: [], ...answer }))
       .catch(() => {});
   }, [name]);
@@ -53,12 +54,12 @@ export function Edit({ name, onClose }) {
     setBusy(false);
   };
   const check = async () => {
-    await call('check', { robot: state.robot, name, value });
-    setBefore((await call('read', { robot: state.robot, name })).text);
+    await call('check', { robot, name, value });
+    setBefore((await call('read', { robot, name })).text);
     setAsked(true);
   };
   const write = async () => {
-    const fields = { robot: state.robot, name, value, confirmed: true };
+    const fields = { robot, name, value, confirmed: true };
     const { text } = await call('write', fields);
     note('done', `${name} = ${text}`);
     onClose();
@@ -81,7 +82,7 @@ export function Edit({ name, onClose }) {
             'dl',
             { class: 'change' },
             h('dt', null, 'Robot'),
-            h('dd', null, `${state.robot}, mode ${header().mode ?? 'unknown'}`),
+            h('dd', null, `${robot}, mode ${header().mode ?? 'unknown'}`),
             h('dt', null, 'Old'),
             h('dd', { class: 'variable' }, before),
             h('dt', null, 'New'),

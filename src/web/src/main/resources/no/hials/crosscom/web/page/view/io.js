@@ -4,7 +4,7 @@ import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { Confirm } from '../programs/confirm.js';
 import { call, onEvent, watch } from '../socket.js';
-import { header, isStale, mayWrite, note, state, useSharedState, writeHint } from '../state.js';
+import { header, isStale, mayWrite, note, state, useRobot, useSharedState, writeHint } from '../state.js';
 
 const BANK = 16;
 const ANALOG_BANK = 8;
@@ -242,6 +242,7 @@ function AnalogField({ value, onInput }) {
 export function View() {
   useSharedState();
   const one = header();
+  const robot = useRobot();
   const { signals, lengths, simulated } = useSignals();
   const [asked, setAsked] = useState(null);
   const [asks, setAsks] = useState(true);
@@ -256,11 +257,11 @@ export function View() {
   // KUKAVARPROXY reads one variable after the other
   const period = (one.server ?? '').startsWith('C3') ? 250 : 1000;
   const write = async (name, value, before) => {
-    const { text } = await call('write', { robot: state.robot, name, value, before, confirmed: true });
+    const { text } = await call('write', { robot, name, value, before, confirmed: true });
     return `${name} = ${text}`;
   };
   const setInput = async (fields, name) => {
-    await call('set-input', { robot: state.robot, ...fields, confirmed: true });
+    await call('set-input', { robot, ...fields, confirmed: true });
     return `${name} is set`;
   };
   const change = async (name, value, warning, work) => {

@@ -1,13 +1,13 @@
 // Moves the robot by hand, made for a phone: hold a button, and the robot moves until the release.
 
 import { h } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { Dialog } from '../dialog.js';
 import { JogButton } from '../jog/button.js';
 import { held, releaseAll } from '../jog/hold.js';
 import { isMine, jog, Owner } from '../jog/owner.js';
 import { call, tell, watch } from '../socket.js';
-import { header, jogging, mayWrite, note, state, useSharedState } from '../state.js';
+import { header, jogging, mayWrite, note, state, useRobot, useSharedState } from '../state.js';
 
 const SPACES = {
   joints: { title: 'Axes', program: 'ext_move_axis', variable: '$AXIS_ACT', names: ['A1', 'A2', 'A3', 'A4', 'A5', 'A6'] },
@@ -76,6 +76,9 @@ function obstacle() {
 
 /** Returns the state in words, and its kind. */
 function status(ready) {
+  if (held().some((one) => one.late)) {
+    return ['refused', 'The robot does not answer: its watchdog has to stop it'];
+  }
   const moving = held().filter((one) => one.moving);
   if (moving.length > 0) {
     return ['moving', 'Moving'];
@@ -181,12 +184,15 @@ export function View() {
   const [percent, setPercent] = useState(25);
   const [step, setStep] = useState(0);
   const [asks, setAsks] = useState(false);
+  const robot = useRobot();
+  const gone = useRef(false);
+  useEffect(() => () => (gone.current = true), []);
   const one = header();
   const open = isMine() ? jogging().open : '';
   const ready = open === space && state.socket === 'open' && one.lock?.open === true;
   const [kind, words] = status(ready);
 
-  const start = (wanted) => jog('open', { space: wanted, confirmed: true });
+  const start = (wanted) => jog('open', { robot, space: wanted, confirmed: true });
   const begin = () => (one.mode === '#T1' || one.simulated ? start(space) : setAsks(true));
   const choose = (wanted) => {
     releaseAll();
@@ -199,8 +205,10 @@ export function View() {
   const prepare = async () => {
     try {
       const { program } = SPACES[space];
-      await call('teach-program', { robot: state.robot, program, confirmed: true });
-      await start(space);
+      await call('teach-program', { robot, program, confirmed: true });
+      if (!gone.current) {
+        await start(space);
+      }
     } catch (e) {
       note('error', e.message);
     }

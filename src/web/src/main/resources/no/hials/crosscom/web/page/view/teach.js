@@ -4,7 +4,7 @@
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { header, mayWrite, note, state, useSharedState, writeHint } from '../state.js';
+import { header, mayWrite, note, state, useRobot, useSharedState, writeHint } from '../state.js';
 import { View as Robot } from './robot.js';
 
 const MODES = { T1: '#T1', T2: '#T2', AUT: '#AUT', EXT: '#EX' };
@@ -27,15 +27,18 @@ const PROGRAMS = {
 const STEPS = 50; // of a slider, to each side
 const WRITE_PERIOD = 100; // ms
 
-/** Sends a change and shows why it was refused. */
-async function change(name, fields = {}) {
-  try {
-    await call(name, { robot: state.robot, confirmed: true, ...fields });
-    return true;
-  } catch (e) {
-    note('error', e.message);
-    return false;
-  }
+/** Returns a function that sends a change to the robot of the view and shows why it was refused. */
+function useChange() {
+  const robot = useRobot();
+  return async (name, fields = {}) => {
+    try {
+      await call(name, { robot, confirmed: true, ...fields });
+      return true;
+    } catch (e) {
+      note('error', e.message);
+      return false;
+    }
+  };
 }
 
 function useBench() {
@@ -54,6 +57,7 @@ function useBench() {
 }
 
 function Mode() {
+  const change = useChange();
   const mode = header().mode;
   return h(
     'fieldset',
@@ -74,6 +78,7 @@ function Mode() {
 }
 
 function EmergencyStop({ bench, onChange }) {
+  const change = useChange();
   const pressed = bench.emergency_stop;
   const press = async () => {
     await change('teach-stop', { pressed: !pressed });
@@ -92,6 +97,7 @@ function EmergencyStop({ bench, onChange }) {
 }
 
 function Faults({ bench, onChange }) {
+  const change = useChange();
   const set = async (changes) => {
     const { latency_ms, lost_percent, silent } = { ...bench, ...changes };
     await change('teach-faults', { latency_ms, lost_percent, silent });
@@ -137,14 +143,21 @@ function Faults({ bench, onChange }) {
   );
 }
 
-/** Writes the newest value of the sliders, one write at a time. */
+/** Writes the newest value of the sliders, one write at a time; nothing after the view has gone. */
 function useWriter(variable) {
-  const writer = useRef({ next: null, busy: false });
+  const change = useChange();
+  const writer = useRef({ next: null, busy: false, gone: false });
+  useEffect(
+    () => () => {
+      writer.current.gone = true;
+    },
+    [],
+  );
   return (value) => {
     const own = writer.current;
     own.next = value;
     const send = async () => {
-      if (own.next === null) {
+      if (own.next === null || own.gone) {
         own.busy = false;
         return;
       }
@@ -203,6 +216,7 @@ function Increments({ program }) {
 }
 
 function Programs({ onChange }) {
+  const change = useChange();
   const one = header();
   const running = Object.keys(PROGRAMS).find((name) => one.robot_program === name.toUpperCase());
   const start = async (program) => {

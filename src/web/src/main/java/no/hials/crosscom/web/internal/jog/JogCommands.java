@@ -150,6 +150,7 @@ public final class JogCommands implements AutoCloseable {
     JogSession session = of(call).of(person(call));
     answer.put("mark", session.beat(whole(call, "hold"), whole(call, "beat"), whole(call, "mark")));
     answer.put("moving", session.isMoving());
+    answer.put("late", session.isLate());
   }
 
   private static long whole(Call call, String field) throws CommandException {

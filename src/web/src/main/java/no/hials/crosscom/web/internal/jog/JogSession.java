@@ -1,6 +1,7 @@
 package no.hials.crosscom.web.internal.jog;
 
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -35,6 +36,7 @@ final class JogSession implements InputDevice {
   private static final Safety LIMITS = Safety.create(cfg -> {});
 
   private static final double ROUNDING = 0.999;
+  private static final Duration LATE = Duration.ofMillis(250);
   private static final String MODE = "$MODE_OP";
   private static final String STATE = "$PRO_STATE1";
   private static final String PROGRAM = "$PRO_NAME1[]";
@@ -51,6 +53,9 @@ final class JogSession implements InputDevice {
   private volatile @Nullable ControlLoop loop;
   private volatile @Nullable String stopped;
   private volatile long seen;
+
+  /** When the loop last read this device, by {@link System#nanoTime}. */
+  private volatile long cycled = System.nanoTime();
 
   // used by the loop only
   private List<Press> presses = List.of();
@@ -198,10 +203,16 @@ final class JogSession implements InputDevice {
     holds.release(id);
   }
 
+  /** Returns whether the loop waits for the robot, of which nothing is known meanwhile. */
+  boolean isLate() {
+    return loop != null && System.nanoTime() - cycled > LATE.toNanos();
+  }
+
   /** Returns whether the last cycle moved the robot. */
   boolean isMoving() {
     ControlLoop running = loop;
     return running != null
+        && !isLate()
         && running.stopReason().isEmpty()
         && running.trace().last().filter(it -> it.moving()).isPresent();
   }
@@ -277,6 +288,7 @@ final class JogSession implements InputDevice {
 
   @Override
   public Input read() {
+    cycled = System.nanoTime();
     if (!robot.lock().isOpen()) {
       stop("the robot was locked");
     } else if (System.nanoTime() - seen > JogOwner.PRESENCE.toNanos()) {

@@ -29,7 +29,7 @@ export function press(source, fields) {
     release(fields.direction); // both buttons of a direction
     return;
   }
-  const one = { id: ++number, robot: state.robot, source, fields, beat: 0, mark: 0, moving: false };
+  const one = { id: ++number, robot: state.robot, source, fields, beat: 0, mark: 0, moving: false, late: false };
   holds.set(fields.direction, one);
   changed();
   call('jog-press', { robot: one.robot, hold: one.id, ...fields }).then((answer) => {
@@ -58,8 +58,9 @@ function beat(one) {
   call('jog-beat', { robot, hold: id, beat: ++one.beat, mark }).then((answer) => {
     one.mark = Math.max(one.mark, answer.mark);
     one.answered = performance.now();
-    if (one.moving !== answer.moving) {
+    if (one.moving !== answer.moving || one.late !== answer.late) {
       one.moving = answer.moving;
+      one.late = answer.late;
       changed();
     }
   }, refused(one));

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
@@ -203,8 +204,16 @@ final class MoveChecks {
   private void expect(String name, String variable, String good, String advice) {
     String actual = text(variable);
     State result =
-        actual.isEmpty() ? State.UNKNOWN : actual.equals(good) ? State.OK : State.PROBLEM;
+        actual.equals(good)
+            ? State.OK
+            : actual.isEmpty() || value(variable) instanceof KrlBool != isBool(good)
+                ? State.UNKNOWN
+                : State.PROBLEM;
     add(name, result, read(variable), result == State.PROBLEM ? advice : "");
+  }
+
+  private static boolean isBool(String text) {
+    return text.equals("TRUE") || text.equals("FALSE");
   }
 
   // the checks
@@ -383,7 +392,7 @@ final class MoveChecks {
                 : "The drives are off: switch them on at the pendant.";
     add(
         isManual() ? "Enabling switch and drives" : "Drives",
-        text("$PERI_RDY").isEmpty() ? State.UNKNOWN : off ? State.PROBLEM : State.OK,
+        off ? State.PROBLEM : text("$PERI_RDY").equals("TRUE") ? State.OK : State.UNKNOWN,
         read("$PERI_RDY"),
         off ? advice : "");
   }
@@ -480,7 +489,7 @@ final class MoveChecks {
     boolean stands = stopped.equals("TRUE");
     add(
         "Motion",
-        stopped.isEmpty() || stands ? State.UNKNOWN : State.OK,
+        stopped.equals("FALSE") ? State.OK : State.UNKNOWN,
         read("$ROB_STOPPED"),
         !stands
             ? ""

@@ -2,10 +2,11 @@
 
 import { h, render } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
+import { Boundary } from './boundary.js';
 import { Header } from './header.js';
 import { ReplayBar } from './replay-bar.js';
 import { connect } from './socket.js';
-import { ageOf, header, state, useSharedState } from './state.js';
+import { ageOf, header, state, useSharedState, watchAges } from './state.js';
 
 /** The views by their addresses: the title, and the module, which is loaded when it is needed. */
 const VIEWS = {
@@ -90,7 +91,7 @@ function App() {
     h(ReplayBar),
     h(Navigation, { view }),
     // a view begins again with another robot
-    h('main', { id: 'main' }, Content && state.robot && h(Content, { key: view + state.robot })),
+    h('main', { id: 'main' }, Content && state.robot && h(Boundary, { key: view + state.robot }, h(Content))),
     h(Notes),
   );
 }
@@ -100,4 +101,5 @@ if (theme) {
   document.documentElement.dataset.theme = theme;
 }
 render(h(App), document.getElementById('app'));
+watchAges();
 connect();

@@ -24,6 +24,8 @@ const PROGRAM_STATES = {
   '#P_END': 'at its end',
 };
 
+const STOPS = { TRUE: 'message waits', FALSE: 'none' };
+
 /** Renders the component again several times a second, since ages grow without any event. */
 function useTicks(period) {
   const [, setCount] = useState(0);
@@ -222,7 +224,7 @@ export function Header() {
       h(
         Item,
         { name: 'Stop', kind: one.stop === 'TRUE' ? 'bad' : '' },
-        one.stop == null ? '–' : one.stop === 'TRUE' ? 'message waits' : 'none',
+        STOPS[one.stop] ?? '–',
       ),
       owner && h(Item, { name: 'Jog', kind: 'warn' }, owner.id === state.who.id ? 'this page' : owner.name),
     ),

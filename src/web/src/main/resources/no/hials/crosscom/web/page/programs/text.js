@@ -102,12 +102,17 @@ function Lines({ name, text, pointer, main }) {
   ];
 }
 
+/** Returns a text of a structure without blanks; empty if it is not a text. */
+function textOf(value) {
+  return typeof value === 'string' ? value.trim() : '';
+}
+
 /** The modules that have called each other, the innermost first. */
 function callStack(pointer) {
   return Object.entries(pointer)
     .filter(([name]) => /^SI\d\d$/.test(name))
     .map(([, one]) => one)
-    .filter((one) => (one['NAME[]'] ?? '').trim() && one.SNR > 0);
+    .filter((one) => textOf(one?.['NAME[]']) && one.SNR > 0);
 }
 
 /**
@@ -117,12 +122,13 @@ function callStack(pointer) {
  * @param file the file to show in its place; empty for the running module
  */
 export function ModuleText({ known, pointer, error, interpreter, onInterpreter, file, onCloseFile, version }) {
-  const module = (pointer?.['NAME[]'] ?? '').trim();
+  const module = textOf(pointer?.['NAME[]']);
   const name = file || module;
-  const loaded = useText(name, version, known?.bridge);
+  const found = useText(name, version, known?.bridge);
+  const loaded = found.name === name ? found : { name, text: '', error: '' };
   const isRunning = !file && loaded.name === module && loaded.text;
   const line = isRunning ? pointer.SNR : 0;
-  const main = isRunning && (pointer['NAME_C[]'] ?? '').trim() === module ? pointer.SNR_C : 0;
+  const main = isRunning && textOf(pointer['NAME_C[]']) === module ? pointer.SNR_C : 0;
   const stack = file || !pointer ? [] : callStack(pointer);
   return h(
     'section',
@@ -151,7 +157,7 @@ export function ModuleText({ known, pointer, error, interpreter, onInterpreter, 
         'p',
         { class: 'hint' },
         'Called by ',
-        stack.slice(1).map((one) => `${one['NAME[]'].trim()} line ${one.SNR}`).join(', '),
+        stack.slice(1).map((one) => `${textOf(one['NAME[]'])} line ${one.SNR}`).join(', '),
       ),
     known?.bridge === false &&
       h(

@@ -28,6 +28,12 @@ function structure(values, name) {
   return value !== null && typeof value === 'object' ? value : null;
 }
 
+/** Returns the axes if all of them are numbers; null if there is no such pose. */
+function pose(values) {
+  const axes = structure(values, '$AXIS_ACT');
+  return axes && AXES.every((name) => Number.isFinite(axes[name])) ? axes : null;
+}
+
 /** Watches the robot live: calls a function with values by name, and returns what ends it. */
 function live(model, listener) {
   const period = header().simulated ? 20 : 50;
@@ -144,17 +150,19 @@ function usePicture(canvas, model, latest) {
 
 /** Shows values in the picture. */
 function show(scene, model, values) {
-  const axes = structure(values, '$AXIS_ACT');
+  const axes = pose(values);
   if (!scene || !axes) {
     return;
   }
   scene.setFrames(structure(values, '$BASE'), structure(values, '$TOOL'));
   const angles = AXES.map((name) => axes[name]);
   const limits = angles.map((angle, i) => limitOf(model.axes[i], angle));
-  scene.move(angles, axes.E1 ?? 0, limits);
+  const external = (one) => (Number.isFinite(one?.E1) ? one.E1 : 0);
+  scene.move(angles, external(axes), limits);
   const target = structure(values, model.target);
-  const aim = target && AXES.map((name) => target[name]);
-  scene.aim(aim?.some((angle, i) => Math.abs(angle - angles[i]) > SAME) ? aim : null, target?.E1 ?? 0);
+  const aim = target && AXES.every((name) => Number.isFinite(target[name])) && AXES.map((name) => target[name]);
+  const differs = aim && aim.some((angle, i) => Math.abs(angle - angles[i]) > SAME);
+  scene.aim(differs ? aim : null, external(target));
 }
 
 function number(value, digits) {
@@ -162,7 +170,8 @@ function number(value, digits) {
 }
 
 function Axis({ name, axis, angle, target }) {
-  const limit = angle === undefined ? 'free' : limitOf(axis, angle);
+  const known = Number.isFinite(angle);
+  const limit = known ? limitOf(axis, angle) : 'free';
   const part = (value) =>
     `${Math.max(0, Math.min(1, (value - axis.minimum) / (axis.maximum - axis.minimum))) * 100}%`;
   const differs = typeof target === 'number' && Math.abs(target - angle) > SAME;
@@ -178,7 +187,7 @@ function Axis({ name, axis, angle, target }) {
         'span',
         { class: 'range', title: `${axis.minimum} to ${axis.maximum}` },
         differs && h('span', { class: 'aim', style: { left: part(target) } }),
-        angle !== undefined && h('span', { class: 'mark', style: { left: part(angle) } }),
+        known && h('span', { class: 'mark', style: { left: part(angle) } }),
       ),
     ),
     h('td', { class: 'ends' }, `${number(axis.minimum, 0)} … ${number(axis.maximum, 0)}`),
@@ -188,7 +197,7 @@ function Axis({ name, axis, angle, target }) {
 
 /** The pose and the axes as text, for screen readers and for everybody else. */
 function Numbers({ model, values, stale }) {
-  const pose = structure(values, '$POS_ACT');
+  const tcp = structure(values, '$POS_ACT');
   const axes = structure(values, '$AXIS_ACT');
   const target = structure(values, model.target);
   const poseError = values.$POS_ACT?.error;
@@ -208,7 +217,7 @@ function Numbers({ model, values, stale }) {
             'div',
             { key: name },
             h('dt', null, name),
-            h('dd', { class: 'reading' }, number(pose?.[name], i < 3 ? 1 : 2)),
+            h('dd', { class: 'reading' }, number(tcp?.[name], i < 3 ? 1 : 2)),
             h('dd', { class: 'unit' }, i < 3 ? 'mm' : '°'),
           ),
         ),
@@ -247,12 +256,16 @@ function Numbers({ model, values, stale }) {
   );
 }
 
-/** Returns why a recording shows no robot at this time; an empty text if it does. */
+/** Returns why the picture is not of now; an empty text if it is. */
 function missing(player, values) {
+  if (player === null) {
+    const axes = values.$AXIS_ACT;
+    return axes === undefined || pose(values) ? '' : `No axes: ${axes.error ?? '$AXIS_ACT has other values'}`;
+  }
   if (!player.recording.track('$AXIS_ACT.A1')) {
     return 'The recording has no $AXIS_ACT';
   }
-  return structure(values, '$AXIS_ACT') ? '' : 'No values at this time';
+  return pose(values) ? '' : 'No values at this time';
 }
 
 export function View() {
@@ -293,7 +306,7 @@ export function View() {
     return h('section', { class: 'panel' }, h('h1', null, '3-D'), h('p', null, 'Asking for the robot …'));
   }
   const stale = player === null && isStale(header());
-  const recorded = player && missing(player, values);
+  const without = missing(player, values);
   const scene = (work) => () => picture.current && work(picture.current);
   return h(
     'div',
@@ -331,7 +344,7 @@ export function View() {
       h(
         'div',
         {
-          class: `stage ${stale || recorded ? 'old' : ''} ${player ? 'recorded' : ''}`,
+          class: `stage ${stale || without ? 'old' : ''} ${player ? 'recorded' : ''}`,
           hidden: failure !== '',
         },
         h('canvas', {
@@ -344,7 +357,7 @@ export function View() {
         }),
         stale && h('p', { class: 'old-mark' }, 'Not up to date'),
         player && h('p', { class: 'replay-mark' }, 'Recording, not the robot'),
-        recorded && h('p', { class: 'old-mark' }, recorded),
+        !stale && without && h('p', { class: 'old-mark' }, without),
       ),
       failure &&
         h('p', { class: 'failure' }, `This browser cannot draw the robot: ${failure}`),

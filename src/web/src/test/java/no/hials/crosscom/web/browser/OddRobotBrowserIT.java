@@ -1,0 +1,137 @@
+package no.hials.crosscom.web.browser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.TestPages;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The page with a robot that answers late, or with values of other types. */
+@ExtendWith(WithBrowser.class)
+class OddRobotBrowserIT {
+  @TempDir private Path folder;
+  private TestPages pages;
+  private final CountDownLatch released = new CountDownLatch(1);
+
+  @AfterEach
+  void stop() throws IOException {
+    released.countDown();
+    pages.close();
+  }
+
+  private void open(Browser browser, ServerType server, String view) throws Exception {
+    pages = TestPages.start(server, folder, cfg -> {});
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?odd=" + view + "#/" + view));
+    browser.await("document.querySelector('.top:not(.stale)')");
+  }
+
+  /** Lets the controller answer reads of a variable with another value. */
+  private void answer(String name, String value) {
+    pages
+        .controller()
+        .fault(request -> request.names().contains(name), Fault.answer(value, Tail.SUCCESS));
+  }
+
+  private static void awaitText(Browser browser, String selector, String text) {
+    browser.await(
+        "document.querySelector(`" + selector + "`)?.textContent.includes('" + text + "')");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "robot, .stage.old",
+    "programs, .interpreters.stale",
+    "io, .io.stale",
+    "variables, '#main .stale'"
+  })
+  void aViewIsMarkedAsSoonAsTheHeaderIs(String view, String marked, Browser browser)
+      throws Exception {
+    open(browser, ServerType.C3_BRIDGE, view);
+    browser.await("document.querySelector('#main .reading, #main .words, #main .program-state')");
+
+    pages.controller().fault(request -> true, Fault.hold(released));
+
+    // the banner comes with the client's time-out
+    browser.await(
+        "document.querySelector('.top.stale') && document.querySelector(`"
+            + marked
+            + "`) && !document.querySelector('.banner.lost')");
+  }
+
+  @Test
+  void aProgramPointerOfAnotherTypeLeavesThePageAlive(Browser browser) throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, "programs");
+
+    answer("$PRO_IP1", "{PRO_IP: NAME[] 5,SNR \"x\",SI01 {NAME[] 5,SNR 1}}");
+    answer("$STOPMESS", "#UNKNOWN");
+
+    awaitText(browser, ".messages [role=status]", "Unknown whether a message waits.");
+    assertThat(browser.text(".top")).doesNotContain("none");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void axesThatAreNoNumbersAreNoPose(Browser browser) throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, "robot");
+    browser.await("document.querySelector('.axes .reading')?.textContent !== '–'");
+
+    answer("$AXIS_ACT", "{E6AXIS: A1 \"x\",A2 -20}");
+
+    awaitText(browser, ".old-mark", "No axes");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void aViewThatIsLeftWritesNothingMore(Browser browser) throws Exception {
+    open(browser, ServerType.C3_BRIDGE, "teach");
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock[aria-pressed=true]')");
+    browser.await("document.querySelector('.mode-key:not(:disabled)')");
+    browser.run(
+        "[...document.querySelectorAll('button')].find((it) => it.textContent.startsWith('MYPOS'))"
+            + ".click()");
+    browser.await("document.querySelector('.increments input')");
+    pages.controller().fault(OddRobotBrowserIT::isIncrement, Fault.hold(released));
+
+    for (double value : new double[] {-1, -2}) {
+      browser.run(
+          "const slider = document.querySelector('.increments input'); slider.value = arguments[0];"
+              + " slider.dispatchEvent(new Event('input'))",
+          value);
+    }
+    awaitIncrement();
+    browser.run("location.hash = '#/programs'");
+    browser.await("document.querySelector('.programs')");
+    released.countDown();
+    long after = pages.controller().requestCount() + 50;
+    while (pages.controller().requestCount() < after) {
+      Thread.onSpinWait();
+    }
+
+    assertThat(pages.controller().requests()).filteredOn(OddRobotBrowserIT::isIncrement).hasSize(1);
+  }
+
+  private void awaitIncrement() {
+    while (pages.controller().requests().stream().noneMatch(OddRobotBrowserIT::isIncrement)) {
+      Thread.onSpinWait();
+    }
+  }
+
+  private static boolean isIncrement(RecordedRequest request) {
+    return request.isWrite() && request.names().contains("MYPOS");
+  }
+}

@@ -53,7 +53,7 @@ public abstract class ControllerCommand extends ConsoleCommand {
       completionCandidates = Converters.ServerName.class,
       description =
           "Server of the simulated controller: kukavarproxy, or c3 for C3 Bridge. The type of a"
-              + " real server is detected.")
+              + " real server is detected, or set by 'server' in config.toml.")
   private @Nullable ServerType server;
 
   @Option(

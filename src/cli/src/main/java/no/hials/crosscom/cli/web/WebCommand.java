@@ -96,7 +96,7 @@ public final class WebCommand extends ConsoleCommand {
       completionCandidates = Converters.ServerName.class,
       description =
           "Server of the simulated controller: c3 for C3 Bridge (default), or kukavarproxy. The"
-              + " type of a real server is detected.")
+              + " type of a real server is detected, or set by 'server' in config.toml.")
   private @Nullable ServerType server;
 
   @Option(

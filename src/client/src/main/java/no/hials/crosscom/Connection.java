@@ -199,7 +199,11 @@ final class Connection implements SelectorLoop.Selectable {
       return foreign != null
           ? foreign
           : new CrossComConnectionLostException(
-              "the connection to " + remote + " broke while it was not used: " + reason(e, false),
+              "the connection to "
+                  + remote
+                  + " broke "
+                  + (answered ? "while it was not used: " : "before the first request: ")
+                  + reason(e, false),
               e,
               false);
     }
@@ -215,7 +219,7 @@ final class Connection implements SelectorLoop.Selectable {
   }
 
   /**
-   * Returns what is known of the end of the connection.
+   * Describes the end of the connection.
    *
    * @param exchanging whether an exchange is under way
    */

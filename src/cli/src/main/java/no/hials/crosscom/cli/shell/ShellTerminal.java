@@ -79,18 +79,23 @@ final class ShellTerminal implements Closeable {
     (coloured ? ShellCompleter.COLOURED : ShellCompleter.PLAIN).forEach(reader::setVariable);
   }
 
-  private static Path history(Console console) {
-    String state = console.environment("XDG_STATE_HOME");
+  /**
+   * Returns the file of the history.
+   *
+   * @param state the value of XDG_STATE_HOME
+   */
+  static Path history(@Nullable String state) {
+    // a relative path must be ignored (XDG Base Directory Specification)
     Path base =
-        state == null
-            ? Path.of(System.getProperty("user.home"), ".local", "state")
-            : Path.of(state);
+        state != null && Path.of(state).isAbsolute()
+            ? Path.of(state)
+            : Path.of(System.getProperty("user.home"), ".local", "state");
     return base.resolve("jopenshowvar").resolve("history");
   }
 
   /** Keeps a history, if its file can be written and read; otherwise JLine would fail. */
   private void keepHistory(Console console) {
-    Path file = history(console);
+    Path file = history(console.environment("XDG_STATE_HOME"));
     try {
       Files.createDirectories(file.getParent());
       boolean old = Files.exists(file);

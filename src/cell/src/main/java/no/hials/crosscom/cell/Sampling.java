@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
@@ -143,11 +144,12 @@ public final class Sampling implements Closeable {
 
   /** Returns the robots that could not be reached. */
   public List<Failure> failedToConnect() {
-    return failedToConnect;
+    return Collections.unmodifiableList(failedToConnect);
   }
 
+  /** Returns the robots that are read. */
   public List<SampledRobot> robots() {
-    return robots;
+    return Collections.unmodifiableList(robots);
   }
 
   Duration period() {
@@ -316,7 +318,11 @@ public final class Sampling implements Closeable {
       try {
         robot.close();
       } catch (IOException e) {
-        failure = e;
+        if (failure == null) {
+          failure = e;
+        } else {
+          failure.addSuppressed(e);
+        }
       }
     }
     if (failure != null) {

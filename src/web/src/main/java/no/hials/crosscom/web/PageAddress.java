@@ -12,9 +12,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /** The address on which the page is served, and the names by which browsers may call it. */
 public final class PageAddress {
+  private static final Logger LOG = LoggerFactory.getLogger(PageAddress.class);
   private static final Pattern NAME = Pattern.compile("[a-z0-9]([a-z0-9.-]*[a-z0-9])?");
   private static final Pattern IPV6 = Pattern.compile("(?=.*:.*:)[0-9a-f:.]+");
 
@@ -85,7 +88,7 @@ public final class PageAddress {
           .sorted(Comparator.comparing(Inet6Address.class::isInstance))
           .forEach(it -> names.add(name(it)));
     } catch (SocketException e) {
-      // as if there were none
+      LOG.warn("cannot list the addresses of this computer, so links use the loopback address", e);
     }
     if (names.isEmpty()) {
       names.add(name(InetAddress.getLoopbackAddress()));

@@ -33,7 +33,7 @@ class EnglishTest {
           + " about";
 
   /** May grow. First words of a doc comment, in Java or Python. */
-  private static final String FIRST_WORDS = "Gives|Hears|Says|What";
+  private static final String FIRST_WORDS = "Gives|Hears|Says|What|Returns what|Returns such as";
 
   private static final Pattern WRONG =
       Pattern.compile("(?i:\\b(" + WORDS + ")\\b)|(?:/\\*\\* |\"\"\")(" + FIRST_WORDS + ")\\b");

@@ -201,7 +201,10 @@ public final class Catalogue {
     }
   }
 
-  /** Returns such as {@code $OUT[1]}; empty if it is not an element with a number. */
+  /**
+   * Returns the name of an element, such as {@code $OUT[1]}; empty if it is not an element with a
+   * number.
+   */
   private static String element(Expression.@Nullable Variable variable) {
     return variable == null ? "" : key(ExpressionText.of(variable));
   }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.cell;
 
 import java.util.List;
+import java.util.stream.Collectors;
 import no.hials.crosscom.lang.Access;
 import org.jspecify.annotations.Nullable;
 
@@ -36,7 +37,7 @@ public record CatalogueEntry(
     }
     return dimensions.stream()
         .map(length -> length == 0 ? "" : Integer.toString(length))
-        .collect(java.util.stream.Collectors.joining(",", "[", "]"));
+        .collect(Collectors.joining(",", "[", "]"));
   }
 
   /** Returns {@code RO} or {@code RW}; empty if the access is unknown. */

@@ -8,8 +8,8 @@ final class SplineRules {
   private SplineRules() {}
 
   /**
-   * Returns what is wrong with a statement outside a spline block, as the end of a sentence that
-   * begins with the statement; null if nothing is.
+   * Returns the error of a statement outside a spline block, as the end of a sentence that begins
+   * with the statement; null if nothing is.
    */
   static @Nullable String outside(Statement statement) {
     boolean onlyInside =
@@ -21,7 +21,7 @@ final class SplineRules {
   }
 
   /**
-   * Returns what is wrong with a statement in a spline block; null if nothing is.
+   * Returns the error of a statement in a spline block; null if there is none.
    *
    * @param pointToPoint whether the block is a {@code PTP_SPLINE}
    */

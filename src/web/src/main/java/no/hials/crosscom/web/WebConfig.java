@@ -60,7 +60,7 @@ public final class WebConfig {
     return robots;
   }
 
-  /** Returns what connects to the robots. */
+  /** Returns the opener of the connections to the robots. */
   public RobotConnection.Opener opener() {
     return opener;
   }

@@ -349,8 +349,7 @@ public final class DriveCommand extends ControllerCommand {
       console().print(summary(loop));
       if (loop.statistics().holding() == loop.statistics().cycles()) {
         console()
-            .hint(
-                "the robot did not move: the dead-man was not held, or all input was" + " too old");
+            .hint("the robot did not move: the dead-man was not held, or all input was too old");
       }
       if (!noWatchdog && reason.isPlanned()) {
         DriveEnd.hintOnWatchdog(read(controller, "JOV_LIMIT")).ifPresent(console()::hint);

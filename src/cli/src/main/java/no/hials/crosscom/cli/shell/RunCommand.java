@@ -50,7 +50,7 @@ public final class RunCommand extends ControllerCommand {
       names = "--dry-run",
       order = 5,
       description =
-          "Check the file and print its commands without running them. Needs no" + " controller.")
+          "Check the file and print its commands without running them. Needs no controller.")
   private boolean dryRun;
 
   @Mixin private WriteOptions writeOptions = new WriteOptions();

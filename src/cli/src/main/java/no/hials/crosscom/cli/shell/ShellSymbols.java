@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.ControllerDataLists;
@@ -105,8 +106,7 @@ final class ShellSymbols {
     return all;
   }
 
-  private static CompletableFuture<Catalogue> inBackground(
-      java.util.function.Supplier<Catalogue> work) {
+  private static CompletableFuture<Catalogue> inBackground(Supplier<Catalogue> work) {
     return CompletableFuture.supplyAsync(
         work,
         task -> {

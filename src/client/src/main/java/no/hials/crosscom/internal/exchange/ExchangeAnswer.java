@@ -13,7 +13,7 @@ public final class ExchangeAnswer {
   private final AnswerFrame frame = new AnswerFrame();
   private long nanos;
 
-  /** Sets it to an answer that a buffer has from its beginning. */
+  /** Sets the answer to the one at the beginning of a buffer. */
   public void set(byte[] buffer, int length, long exchangeNanos) throws MalformedFrameException {
     nanos = exchangeNanos;
     frame.wrap(buffer, length);

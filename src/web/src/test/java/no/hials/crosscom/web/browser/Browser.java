@@ -218,7 +218,7 @@ public final class Browser implements AutoCloseable {
     }
   }
 
-  /** Returns what breaks the rules of accessibility: each rule, and the elements. */
+  /** Returns the violations of the rules of accessibility: each rule, and the elements. */
   @SuppressWarnings("unchecked")
   public List<String> barriers() {
     if (Boolean.TRUE.equals(run("return window.axe === undefined"))) {
@@ -255,7 +255,7 @@ public final class Browser implements AutoCloseable {
     return (Long) run("return document.documentElement.scrollWidth - window.innerWidth");
   }
 
-  /** Returns what the console has shown as an error since the last call, also of the policy. */
+  /** Returns the errors on the console since the last call, also those of the policy. */
   public List<String> errors() {
     return driver.manage().logs().get(LogType.BROWSER).getAll().stream()
         .filter(it -> it.getLevel().equals(Level.SEVERE))
@@ -263,7 +263,7 @@ public final class Browser implements AutoCloseable {
         .toList();
   }
 
-  /** Returns what the window shows, as a picture. */
+  /** Returns a picture of the window. */
   BufferedImage picture() throws IOException {
     byte[] png = driver.getScreenshotAs(OutputType.BYTES);
     return ImageIO.read(new ByteArrayInputStream(png));

@@ -186,8 +186,8 @@ final class SystemVariables {
     bindTemperatures();
     bind("$DIST_NEXT", () -> KrlReal.of(-state.distanceToEnd()));
     bind("$ACT_ADVANCE", () -> new KrlInt(state.planned()));
-    // the brakes of a robot that waits for a program stay open (assumed)
     bind("$MOVE_BCO", () -> new KrlBool(state.coincidenceRunning()));
+    // the brakes of a robot that waits for a program stay open (assumed)
     bind("$BRAKE_SIG", () -> new KrlInt(drivesOn() ? BRAKES_OPEN : 0));
     bind("$MODE_OP", () -> new KrlEnum(state.mode().constant()));
     bind("$ROB_TIMER", () -> new KrlInt((int) (counted + time.getAsLong())));

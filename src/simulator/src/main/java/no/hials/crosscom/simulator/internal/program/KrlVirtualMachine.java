@@ -610,7 +610,7 @@ final class KrlVirtualMachine {
     next.add(stop);
   }
 
-  /** Returns what is set for the next motion. */
+  /** Returns the settings of the next motion. */
   NextMotion next() {
     return next;
   }

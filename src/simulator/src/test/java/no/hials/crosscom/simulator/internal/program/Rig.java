@@ -138,7 +138,7 @@ final class Rig {
     return library.check(file.name()).stream().map(KrlError::toString).toList();
   }
 
-  /** Returns what is wrong with statements in a subprogram. */
+  /** Returns the errors of statements in a subprogram. */
   List<String> errorsIn(String body) {
     return errorsOf("DEF TEST()\n" + body + "\nEND\n");
   }

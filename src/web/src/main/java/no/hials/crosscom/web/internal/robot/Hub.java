@@ -139,7 +139,7 @@ public final class Hub implements AutoCloseable {
     wanted.forEach((period, names) -> polls.computeIfAbsent(period, it -> new Poll(it, names)));
   }
 
-  /** Returns what to read, by the period. */
+  /** Returns the variables to read, by the period. */
   private Map<Integer, SortedSet<String>> wanted() {
     Map<String, Integer> periods = new TreeMap<>();
     for (Subscription one : subscriptions) {

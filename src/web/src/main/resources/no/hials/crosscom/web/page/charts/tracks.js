@@ -187,7 +187,7 @@ export function valueAt(track, time) {
 }
 
 /**
- * Returns what a chart draws of tracks between two times: an array of times, and one of each track
+ * Returns the points that a chart draws of tracks between two times: an array of times, and one of each track
  * with null for a gap and undefined between readings. Many readings in one of the slots become
  * their least and greatest one.
  */

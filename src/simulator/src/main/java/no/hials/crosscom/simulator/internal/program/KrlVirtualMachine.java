@@ -366,7 +366,8 @@ final class KrlVirtualMachine {
 
   /** Calls a routine, whose arguments are on the stack. */
   void call(CompiledRoutine routine, boolean resultWanted) throws KrlExecutionException {
-    if (calls == MAX_CALLS) {
+    // an interrupt adds a call without this check
+    if (calls >= MAX_CALLS) {
       throw new KrlExecutionException(
           KrlExecutionException.CALL_STACK,
           "calls nest at most " + MAX_CALLS + " deep, " + routine.name() + " is one too many");

@@ -7,6 +7,7 @@ import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class InterruptTest {
   /** A program that waits, with an interrupt that counts in I. */
@@ -39,6 +40,36 @@ class InterruptTest {
     rig.set("$IN[1]", "TRUE").cycle();
     assertThat(rig.get("I")).isEqualTo("2");
     assertThat(rig.line()).isEqualTo(4);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {254, 255})
+  void limitsTheDepthOfCallsInAnInterruptAsWell(int depth) {
+    Rig rig =
+        waiting(
+            """
+            DEF TEST()
+              INTERRUPT DECL 10 WHEN $IN[1] DO COUNT()
+              INTERRUPT ON 10
+              DEEPER(%d)
+            END
+            DEF DEEPER(N:IN)
+              INT N
+              IF N > 1 THEN
+                DEEPER(N - 1)
+              ENDIF
+              WAIT FOR $IN[16]
+            END
+            DEF COUNT()
+              COUNT()
+            END
+            """
+                .formatted(depth));
+
+    rig.set("$IN[1]", "TRUE").cycle();
+
+    assertThat(rig.fault())
+        .contains("1424 line ", ": calls nest at most 256 deep, COUNT is one too many");
   }
 
   @Test

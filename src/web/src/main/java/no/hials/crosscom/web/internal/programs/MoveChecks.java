@@ -5,11 +5,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlBool;
 import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import org.jspecify.annotations.Nullable;
 
@@ -58,16 +56,9 @@ final class MoveChecks {
   /** An axis this near to its limit, in degrees, is at it. */
   private static final double AT_LIMIT = 0.05;
 
-  /** A target this near, in mm or degrees, is reached. */
-  private static final double REACHED = 0.01;
-
   private static final Set<String> MANUAL = Set.of("#T1", "#T2");
 
-  private final Map<String, ReadOutcome> values;
-
-  /** Why nothing can be read; null if it can. */
-  private final @Nullable String lost;
-
+  private final ReadValues values;
   private final List<Check> checks = new ArrayList<>();
   private final String mode;
   private final String state;
@@ -91,13 +82,7 @@ final class MoveChecks {
   record Check(String name, State state, String read, String advice) {}
 
   private MoveChecks(Map<String, ReadOutcome> values) {
-    this.values = values;
-    lost =
-        values.values().stream()
-            .filter(ReadOutcome::missed)
-            .map(ReadOutcome::error)
-            .findFirst()
-            .orElse(null);
+    this.values = new ReadValues(values);
     mode = text("$MODE_OP");
     state = text("$PRO_STATE1");
   }
@@ -115,7 +100,7 @@ final class MoveChecks {
 
   /** Returns whether the robot moves; null if that is unknown. */
   static @Nullable Boolean isMoving(Map<String, ReadOutcome> values) {
-    return switch (new MoveChecks(values).text("$ROB_STOPPED")) {
+    return switch (new ReadValues(values).text("$ROB_STOPPED")) {
       case "TRUE" -> false;
       case "FALSE" -> true;
       default -> null;
@@ -156,36 +141,16 @@ final class MoveChecks {
     checkSteps();
     checkWait();
     checkWatchdog();
-    checkTarget();
+    FollowedVariable.check(values).ifPresent(checks::add);
     checkMotion();
   }
 
-  // reading
-
-  private @Nullable KrlValue value(String name) {
-    ReadOutcome outcome = values.get(name);
-    return outcome == null || lost != null ? null : outcome.value();
-  }
-
-  /** Returns a value without quotes and blanks around it; empty if it is unknown. */
   private String text(String name) {
-    KrlValue value = value(name);
-    return value == null ? "" : new Leaf(name, value).text().strip();
+    return values.text(name);
   }
 
-  /** Returns the variables with their values, or why there are none. */
   private String read(String... names) {
-    List<String> parts = new ArrayList<>();
-    for (String name : names) {
-      KrlValue value = value(name);
-      parts.add(value == null ? name + ": " + error(name) : name + " = " + value.print());
-    }
-    return String.join(", ", parts);
-  }
-
-  private String error(String name) {
-    ReadOutcome outcome = values.get(name);
-    return outcome == null || lost != null ? "not read" : outcome.error();
+    return values.print(names);
   }
 
   private boolean isManual() {
@@ -206,7 +171,7 @@ final class MoveChecks {
     State result =
         actual.equals(good)
             ? State.OK
-            : actual.isEmpty() || value(variable) instanceof KrlBool != isBool(good)
+            : actual.isEmpty() || values.get(variable) instanceof KrlBool != isBool(good)
                 ? State.UNKNOWN
                 : State.PROBLEM;
     add(name, result, read(variable), result == State.PROBLEM ? advice : "");
@@ -219,11 +184,11 @@ final class MoveChecks {
   // the checks
 
   private void checkServer() {
-    if (lost != null) {
+    if (values.lost() != null) {
       add(
           "Server",
           State.PROBLEM,
-          lost,
+          values.lost(),
           "Nothing below is up to date. Is the controller on, does its server run, and is the"
               + " network connected?");
     } else if (values.isEmpty()) {
@@ -295,9 +260,9 @@ final class MoveChecks {
 
   private void checkLimits() {
     String name = "Software limits";
-    if (!(value("$AXIS_ACT") instanceof KrlStruct axes)
-        || !(value("$SOFTN_END[]") instanceof KrlArray lower)
-        || !(value("$SOFTP_END[]") instanceof KrlArray upper)
+    if (!(values.get("$AXIS_ACT") instanceof KrlStruct axes)
+        || !(values.get("$SOFTN_END[]") instanceof KrlArray lower)
+        || !(values.get("$SOFTP_END[]") instanceof KrlArray upper)
         || lower.elements().size() < AXES
         || upper.elements().size() < AXES) {
       add(name, State.UNKNOWN, "$AXIS_ACT, $SOFTN_END[] or $SOFTP_END[] could not be read", "");
@@ -305,9 +270,9 @@ final class MoveChecks {
     }
     List<String> reached = new ArrayList<>();
     for (int i = 0; i < AXES; i++) {
-      double low = number(lower.elements().get(i));
-      double high = number(upper.elements().get(i));
-      double axis = axes.get("A" + (i + 1)).map(MoveChecks::number).orElse(Double.NaN);
+      double low = ReadValues.number(lower.elements().get(i));
+      double high = ReadValues.number(upper.elements().get(i));
+      double axis = axes.get("A" + (i + 1)).map(ReadValues::number).orElse(Double.NaN);
       if (Double.isNaN(axis + low + high)) {
         add(name, State.UNKNOWN, "A" + (i + 1) + " or its limits are not numbers", "");
         return;
@@ -325,14 +290,6 @@ final class MoveChecks {
           State.PROBLEM,
           String.join(", ", reached),
           "The axis is at its limit: it only moves back. Jog it away in T1.");
-    }
-  }
-
-  private static double number(KrlValue value) {
-    try {
-      return value.asDouble();
-    } catch (RuntimeException e) { // a controller may answer with another type
-      return Double.NaN;
     }
   }
 
@@ -408,7 +365,7 @@ final class MoveChecks {
 
   private void checkWait() {
     String waits = text("$WAIT_FOR[]");
-    boolean known = value("$WAIT_FOR[]") != null;
+    boolean known = values.get("$WAIT_FOR[]") != null;
     boolean problem = isActive() && !waits.isEmpty();
     add(
         "WAIT FOR",
@@ -418,7 +375,7 @@ final class MoveChecks {
   }
 
   private void checkWatchdog() {
-    if (value("JOV_TIMEOUT") != null) { // few controllers have it
+    if (values.get("JOV_TIMEOUT") != null) { // few controllers have it
       expect(
           "Watchdog of the client",
           "JOV_TIMEOUT",
@@ -426,62 +383,6 @@ final class MoveChecks {
           "No client sends the heartbeat within JOV_LIMIT ms: start the client, or write 0 to"
               + " JOV_LIMIT. Then press Start.");
     }
-  }
-
-  /** Checks what the programs of krl follow (docs/how-to/use-the-krl-programs.md). */
-  private void checkTarget() {
-    switch (text("$PRO_NAME1[]").toUpperCase(Locale.ROOT)) {
-      case "ACTUATOR" -> checkIncrement("MYPOS");
-      case "EXT_MOVE_AXIS" -> checkIncrement("MYAXIS");
-      case "FOLLOW_POS" ->
-          checkReached("JOV_POS", "$POS_ACT", List.of("X", "Y", "Z", "A", "B", "C"));
-      case "FOLLOW_AXIS" ->
-          checkReached("JOV_AXIS", "$AXIS_ACT", List.of("A1", "A2", "A3", "A4", "A5", "A6"));
-      case "PLAY_PATH" -> checkCommand();
-      default -> {
-        // not ours
-      }
-    }
-  }
-
-  private void checkIncrement(String variable) {
-    boolean zero =
-        value(variable) instanceof KrlStruct increment
-            && increment.fields().stream()
-                .filter(field -> !Set.of("S", "T").contains(field.name()))
-                .allMatch(field -> number(field.value()) == 0);
-    addTarget(
-        variable, zero, "The program adds " + variable + " again and again, and it is all zeros.");
-  }
-
-  private void checkReached(String target, String actual, List<String> fields) {
-    boolean reached =
-        value(target) instanceof KrlStruct to
-            && value(actual) instanceof KrlStruct at
-            && fields.stream().allMatch(field -> isEqual(to, at, field));
-    addTarget(target, reached, "The robot is at " + target + ": write another target.");
-  }
-
-  private static boolean isEqual(KrlStruct to, KrlStruct at, String field) {
-    double distance =
-        to.get(field).map(MoveChecks::number).orElse(Double.NaN)
-            - at.get(field).map(MoveChecks::number).orElse(Double.NaN);
-    return Math.abs(distance) <= REACHED;
-  }
-
-  private void checkCommand() {
-    addTarget(
-        "JOV_COMMAND",
-        text("JOV_COMMAND").equals("0"),
-        "The program waits for a command: write the path, and last JOV_COMMAND.");
-  }
-
-  private void addTarget(String variable, boolean problem, String advice) {
-    add(
-        "Variable that the program follows",
-        value(variable) == null ? State.UNKNOWN : problem ? State.PROBLEM : State.OK,
-        read(variable),
-        problem ? advice : "");
   }
 
   private void checkMotion() {

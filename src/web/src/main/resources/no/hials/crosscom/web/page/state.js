@@ -1,6 +1,6 @@
 // The state that all views share, and the hook by which they follow it.
 
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 
 export const state = {
   /** The socket: 'connecting', 'open', 'lost' or 'ended' (the session is not valid any more). */
@@ -20,6 +20,7 @@ export const state = {
 };
 
 const AGE_PERIOD = 100; // ms
+const LATE = 750; // ms
 
 const listeners = new Set();
 let scheduled = false;
@@ -95,16 +96,51 @@ export function ageOf(one) {
   return one.time === undefined ? Infinity : Math.max(0, serverTime() - one.time);
 }
 
-/** Returns whether the values of a header may no longer be true. */
-export function isStale(one) {
-  return state.socket !== 'open' || one.connection !== 'connected' || ageOf(one) > 1000;
+/** Returns the age in ms from which a value is old that is read at a period: the next one is late. */
+export function oldAfter(period) {
+  return period + LATE;
 }
 
-/** Renders again when a robot becomes stale, which happens without any event. */
+/** Returns whether the values of a header may no longer be true. */
+export function isStale(one) {
+  return (
+    state.socket !== 'open' || one.connection !== 'connected' || ageOf(one) > oldAfter(one.period_ms)
+  );
+}
+
+const ages = new Set();
+
+/** Renders the component again as soon as a function of the time, such as an age, changes. */
+export function useAges(tell) {
+  useSharedState();
+  const latest = useRef(tell);
+  latest.current = tell;
+  useEffect(() => {
+    const own = () => latest.current();
+    ages.add(own);
+    return () => ages.delete(own);
+  }, []);
+}
+
+/**
+ * Returns whether what a view shows may no longer be true: the header is stale, or it is too old
+ * itself.
+ *
+ * @param timeOf returns the time of what is shown, that of the server; undefined if there is none
+ * @param longest the age in ms that is still good
+ */
+export function useStale(timeOf, longest) {
+  const isOld = () => serverTime() - timeOf() > longest;
+  useAges(isOld);
+  return isStale(header()) || isOld();
+}
+
+/** Renders again when something becomes stale, which happens without any event. */
 export function watchAges() {
   let before = '';
   setInterval(() => {
-    const stale = Object.values(state.headers).map(isStale).join();
+    const headers = Object.values(state.headers).map(isStale);
+    const stale = [...headers, ...[...ages].map((tell) => tell())].join();
     if (stale !== before) {
       before = stale;
       changed();

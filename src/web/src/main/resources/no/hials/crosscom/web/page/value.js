@@ -2,6 +2,8 @@
 
 import { h } from 'preact';
 
+const HUGE = 1e7; // which no axis or position is
+
 /** Returns a value as a person reads it. */
 export function valueText({ type, value, error }) {
   if (error !== undefined) {
@@ -24,6 +26,17 @@ function scalarText(type, value) {
   }
   // a whole number of a REAL keeps its place when it changes
   return type === 'REAL' && Number.isInteger(value) ? `${value}.0` : String(value);
+}
+
+/** Returns a number with its unit, never -0; a dash for what is no number. */
+export function numberText(value, digits, unit = '') {
+  if (!Number.isFinite(value)) {
+    return '–';
+  }
+  const scale = 10 ** digits;
+  const text =
+    Math.abs(value) < HUGE ? (Math.round(value * scale) / scale + 0).toFixed(digits) : value.toPrecision(3);
+  return unit ? `${text} ${unit}` : text;
 }
 
 /** Shows a value; a structure becomes a small table of its fields. */

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -54,8 +55,11 @@ class OddRobotBrowserIT {
   @ParameterizedTest
   @CsvSource({
     "robot, .stage.old",
-    "programs, .interpreters.stale",
-    "io, .io.stale",
+    "programs, .interpreters.stale .state.reading",
+    "programs, .text.stale",
+    "programs, .messages.stale",
+    "io, .stale .lamp",
+    "jog, .jog.stale .reading",
     "variables, '#main .stale'"
   })
   void aViewIsMarkedAsSoonAsTheHeaderIs(String view, String marked, Browser browser)
@@ -70,6 +74,22 @@ class OddRobotBrowserIT {
         "document.querySelector('.top.stale') && document.querySelector(`"
             + marked
             + "`) && !document.querySelector('.banner.lost')");
+  }
+
+  @Test
+  void aLampIsMarkedWhenItsOwnReadingIsOld(Browser browser) throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, "io");
+    browser.await("document.querySelector('.lamps .words.reading')");
+
+    pages
+        .controller()
+        .fault(
+            request -> request.names().stream().anyMatch(it -> it.matches("\\$(IN|OUT)\\[.*")),
+            Fault.delay(Duration.ofMillis(60)));
+
+    browser.await(
+        "document.querySelector('.top:not(.stale)') && document.querySelector('.stale .lamp')");
+    awaitText(browser, ".stale .hint", "the server needs long");
   }
 
   @Test

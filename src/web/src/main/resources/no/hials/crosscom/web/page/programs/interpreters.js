@@ -2,7 +2,7 @@
 
 import { h } from 'preact';
 import { call } from '../socket.js';
-import { header, isStale, mayWrite, note, useRobot, writeHint } from '../state.js';
+import { header, mayWrite, note, useRobot, writeHint } from '../state.js';
 
 const STATES = {
   '#P_FREE': 'no program selected',
@@ -106,7 +106,7 @@ function Interpreter({ interpreter, title, program, programState, hint, bridge, 
       h('span', { class: 'variable reading' }, program || '–'),
       h(
         'span',
-        { class: `state ${(programState ?? '').replace('#', '')}` },
+        { class: `state reading ${(programState ?? '').replace('#', '')}` },
         STATES[programState] ?? programState ?? 'unknown',
       ),
     ),
@@ -123,17 +123,17 @@ function Interpreter({ interpreter, title, program, programState, hint, bridge, 
 }
 
 /** Shows both interpreters. */
-export function Interpreters({ known, values, onAsk }) {
+export function Interpreters({ known, values, stale, onAsk }) {
   const one = header();
   return h(
     'section',
-    { class: `panel interpreters ${isStale(one) ? 'stale' : ''}`, 'aria-label': 'Interpreters' },
+    { class: `panel interpreters ${stale ? 'stale' : ''}`, 'aria-label': 'Interpreters' },
     h(Interpreter, {
       interpreter: 'robot',
       title: 'Robot interpreter',
       program: one.robot_program,
       programState: one.robot_state,
-      hint: startHint(one.robot_state, values),
+      hint: stale ? '' : startHint(one.robot_state, values), // an old one may be the wrong order
       bridge: known?.bridge,
       onAsk,
     }),

@@ -3,7 +3,7 @@
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { header, isStale, mayWrite, state, useRobot, useSharedState } from '../state.js';
+import { header, isStale, mayWrite, oldAfter, serverTime, state, useRobot, useSharedState, useStale } from '../state.js';
 
 const PERIOD = 1000; // ms
 const KINDS = {
@@ -25,9 +25,10 @@ function useMessages() {
     const ask = async () => {
       if (!document.hidden) {
         try {
+          const time = serverTime();
           const messages = await call('messages', { robot: state.robot });
           if (wanted) {
-            setAnswer(messages);
+            setAnswer({ ...messages, time });
           }
         } catch {
           // the banner shows a lost connection
@@ -66,7 +67,7 @@ function Question({ dialogue, onAsk }) {
   return h(
     'div',
     { class: 'question', role: 'group', 'aria-label': 'Question of the program' },
-    h('p', null, dialogue.text),
+    h('p', { class: 'reading' }, dialogue.text),
     h(
       'div',
       { class: 'buttons' },
@@ -83,6 +84,7 @@ function Question({ dialogue, onAsk }) {
 export function Messages({ known, onAsk }) {
   const robot = useRobot();
   const answer = useMessages();
+  const stale = useStale(() => answer?.time, oldAfter(PERIOD));
   const { stop } = header();
   const waits = stop === 'TRUE';
   const unknown = (stop !== 'TRUE' && stop !== 'FALSE') || isStale(header());
@@ -100,14 +102,14 @@ export function Messages({ known, onAsk }) {
     });
   return h(
     'section',
-    { class: 'panel messages', 'aria-label': 'Messages' },
+    { class: `panel messages ${stale ? 'stale' : ''}`, 'aria-label': 'Messages' },
     h(
       'div',
       { class: 'text-tools' },
       h('h2', null, 'Messages'),
       h(
         'span',
-        { class: waits ? 'failure' : 'hint', role: 'status' },
+        { class: waits && !unknown ? 'failure' : 'hint', role: 'status' },
         unknown
           ? 'Unknown whether a message waits.'
           : waits
@@ -134,7 +136,7 @@ export function Messages({ known, onAsk }) {
             { key: i, class: one.kind },
             h('span', { class: 'kind' }, KINDS[one.kind] ?? one.kind),
             h('span', { class: 'number' }, one.number || ''),
-            h('span', { class: 'message-text' }, one.text),
+            h('span', { class: 'message-text reading' }, one.text),
           ),
         ),
       ),

@@ -119,9 +119,10 @@ function callStack(pointer) {
  * Shows the module in which the program pointer of an interpreter is, or a file.
  *
  * @param pointer the value of $PRO_IP1 or $PRO_IP0; undefined while it is unknown
+ * @param stale whether it may no longer be true
  * @param file the file to show in its place; empty for the running module
  */
-export function ModuleText({ known, pointer, error, interpreter, onInterpreter, file, onCloseFile, version }) {
+export function ModuleText({ known, pointer, stale, error, interpreter, onInterpreter, file, onCloseFile, version }) {
   const module = textOf(pointer?.['NAME[]']);
   const name = file || module;
   const found = useText(name, version, known?.bridge);
@@ -132,12 +133,12 @@ export function ModuleText({ known, pointer, error, interpreter, onInterpreter, 
   const stack = file || !pointer ? [] : callStack(pointer);
   return h(
     'section',
-    { class: 'panel text', 'aria-label': 'Text of the module' },
+    { class: `panel text ${stale ? 'stale' : ''}`, 'aria-label': 'Text of the module' },
     h(
       'div',
       { class: 'text-tools' },
       h('h2', { class: 'variable' }, name || 'No module'),
-      line > 0 && h('span', { class: 'hint' }, `line ${line}`),
+      line > 0 && h('span', { class: 'hint reading' }, `line ${line}`),
       file
         ? h('button', { onClick: onCloseFile }, 'Back to the running module')
         : h(
@@ -157,13 +158,13 @@ export function ModuleText({ known, pointer, error, interpreter, onInterpreter, 
         'p',
         { class: 'hint' },
         'Called by ',
-        stack.slice(1).map((one) => `${textOf(one['NAME[]'])} line ${one.SNR}`).join(', '),
+        h('span', { class: 'reading' }, stack.slice(1).map((one) => `${textOf(one['NAME[]'])} line ${one.SNR}`).join(', ')),
       ),
     known?.bridge === false &&
       h(
         'p',
         { class: 'hint' },
-        module ? `The program pointer is in line ${pointer.SNR} of ${module}. ` : '',
+        module && h('span', { class: 'reading' }, `The program pointer is in line ${pointer.SNR} of ${module}. `),
         'KUKAVARPROXY has no files: the text is on the pendant only.',
       ),
     error && h('p', { class: 'failure' }, `The program pointer cannot be read: ${error}`),

@@ -4,7 +4,7 @@
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { watch } from '../socket.js';
-import { mayWrite, serverTime, state } from '../state.js';
+import { header, isStale, mayWrite, oldAfter, serverTime, state, useAges } from '../state.js';
 import { Value, valueText } from '../value.js';
 
 const MARKED = 1500; // ms after a change
@@ -137,7 +137,7 @@ function Row({ name, title, level, reading, numbers, stale, isOpen, onOpen, onEd
 }
 
 /** Shows the variables of a list that a filter selects. */
-export function WatchTable({ list, history, filter, cut, onEdit, onRemove }) {
+export function WatchTable({ list, history, filter, onEdit, onRemove }) {
   const [open, setOpen] = useState(new Set());
   const toggle = (name) => {
     const next = new Set(open);
@@ -146,13 +146,15 @@ export function WatchTable({ list, history, filter, cut, onEdit, onRemove }) {
     }
     setOpen(next);
   };
+  const isOld = (reading) => !reading || serverTime() - reading.time > oldAfter(list.period);
+  useAges(() => list.names.map((name) => isOld(history.readings.get(name))).join());
+  const cut = isStale(header());
   const words = filter.toUpperCase();
   const rows = [];
   const add = (name, level, title) => {
     const reading = history.readings.get(name);
     const parts = partsOf(name, reading);
     const isOpen = open.has(name) && parts.length > 0;
-    const old = !reading || serverTime() - reading.time > 4 * Math.max(list.period, 100);
     rows.push(
       h(Row, {
         key: name,
@@ -161,7 +163,7 @@ export function WatchTable({ list, history, filter, cut, onEdit, onRemove }) {
         level,
         reading,
         numbers: history.numbers.get(name),
-        stale: cut || old,
+        stale: cut || isOld(reading),
         isOpen,
         onOpen: parts.length > 0 ? () => toggle(name) : null,
         onEdit: () => onEdit(name),

@@ -8,7 +8,7 @@ import { Recordings } from '../charts/recordings.js';
 import { TimePanel } from '../charts/time-panel.js';
 import { Tracks, valueAt } from '../charts/tracks.js';
 import { call, watch } from '../socket.js';
-import { header, isStale, note, state, useSharedState } from '../state.js';
+import { note, oldAfter, state, useSharedState, useStale } from '../state.js';
 import { Search } from '../variables/search.js';
 
 const SPANS = { 10: '10 s', 30: '30 s', 60: '1 min', 120: '2 min', 300: '5 min', 600: '10 min' };
@@ -527,7 +527,8 @@ export function View() {
   const panels = panelsOf(leaves, units, (leaf) => settings.shown[leaf] ?? isFirst(leaf));
   const bases = pathsOf(leaves);
   const [base, plane] = settings.path.split(' ');
-  const stale = !player && isStale(header());
+  const live = () => (picture.source.latest && !picture.source.isFixed ? picture.source.latest * 1000 : undefined);
+  const stale = useStale(live, oldAfter(settings.period)) && !player;
   const add = (name) => {
     const key = name.toUpperCase();
     if (!settings.names.includes(key)) {

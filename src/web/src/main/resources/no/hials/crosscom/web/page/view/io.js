@@ -3,7 +3,8 @@
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { Confirm } from '../programs/confirm.js';
-import { call, onEvent, watch } from '../socket.js';
+import { useReadings } from '../readings.js';
+import { call, onEvent } from '../socket.js';
 import { header, isStale, mayWrite, note, state, useRobot, useSharedState, writeHint } from '../state.js';
 
 const BANK = 16;
@@ -50,17 +51,6 @@ function namesOf(signals) {
   return names;
 }
 
-function useValues(list, names, period) {
-  const [values, setValues] = useState({});
-  useEffect(() => {
-    setValues({});
-    return watch(state.robot, list, names, period, (event) =>
-      setValues((old) => ({ ...old, ...event.values })),
-    );
-  }, [names.join(), period]);
-  return values;
-}
-
 function elements(array, first, count, length) {
   return Array.from({ length: Math.max(0, Math.min(count, length - first + 1)) }, (_, i) => first + i).map(
     (number) => ({ number, name: `${array}[${number}]` }),
@@ -105,15 +95,18 @@ function useBank({ title, array, length, names, period, size, jump }) {
     }
   }, [jump]);
   const shown = elements(array, first, size, length);
-  const values = useValues(array, shown.map((one) => one.name), period);
+  const [values, stale] = useReadings(array, shown.map((one) => one.name), period);
   const head = h(
     'div',
     { class: 'text-tools' },
     h('h2', null, title),
     h(BankChoice, { title, first, size, length, onChange: setFirst }),
+    stale &&
+      !isStale(header()) &&
+      h('span', { class: 'hint' }, 'Not up to date: the server needs long to read them.'),
   );
   const rows = shown.map((one) => ({ ...one, names: names[one.name] ?? [], reading: values[one.name] }));
-  return { head, rows };
+  return { head, rows, kind: `panel ${stale ? 'stale' : ''}` };
 }
 
 /** A lamp with its number and names; a switch if it can be changed. */
@@ -148,10 +141,10 @@ function Lamp({ name, number, names, reading, onSwitch }) {
 }
 
 function Digital({ onSwitch, children, ...bank }) {
-  const { head, rows } = useBank({ ...bank, size: BANK });
+  const { head, rows, kind } = useBank({ ...bank, size: BANK });
   return h(
     'section',
-    { class: 'panel', 'aria-label': bank.title },
+    { class: kind, 'aria-label': bank.title },
     head,
     h('ul', { class: 'lamps' }, rows.map((one) => h(Lamp, { key: one.name, ...one, onSwitch }))),
     children,
@@ -159,10 +152,10 @@ function Digital({ onSwitch, children, ...bank }) {
 }
 
 function Analog({ onSet, ...bank }) {
-  const { head, rows } = useBank({ ...bank, size: ANALOG_BANK });
+  const { head, rows, kind } = useBank({ ...bank, size: ANALOG_BANK });
   return h(
     'section',
-    { class: 'panel', 'aria-label': bank.title },
+    { class: kind, 'aria-label': bank.title },
     head,
     h(
       'ul',
@@ -300,7 +293,7 @@ export function View() {
   };
   return h(
     'div',
-    { class: `io ${isStale(one) ? 'stale' : ''}` },
+    { class: 'io' },
     h('h1', { class: 'unseen' }, 'Inputs and outputs'),
     h(Find, { names, onJump: setJump }),
     h(

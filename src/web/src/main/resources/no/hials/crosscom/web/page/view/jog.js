@@ -6,8 +6,10 @@ import { Dialog } from '../dialog.js';
 import { JogButton } from '../jog/button.js';
 import { held, releaseAll } from '../jog/hold.js';
 import { isMine, jog, Owner } from '../jog/owner.js';
-import { call, tell, watch } from '../socket.js';
+import { useReadings } from '../readings.js';
+import { call, tell } from '../socket.js';
 import { header, jogging, mayWrite, note, state, useRobot, useSharedState } from '../state.js';
+import { numberText } from '../value.js';
 
 const SPACES = {
   joints: { title: 'Axes', program: 'ext_move_axis', variable: '$AXIS_ACT', names: ['A1', 'A2', 'A3', 'A4', 'A5', 'A6'] },
@@ -17,19 +19,6 @@ const SPACES = {
 const STEPS = [0, 0.1, 1, 10]; // mm or degrees; 0 moves until the release
 const POSITION_PERIOD = 100; // ms
 const PRESENCE_PERIOD = 1000; // ms
-
-/** Returns the last value of the position, by the names of its fields. */
-function usePosition(variable) {
-  const [position, setPosition] = useState({});
-  useEffect(
-    () =>
-      watch(state.robot, 'jog', [variable], POSITION_PERIOD, (event) =>
-        setPosition(event.values[variable]?.value ?? {}),
-      ),
-    [variable],
-  );
-  return position;
-}
 
 /** Shows the server that this page is there while it has the robot; gives the robot up at the end. */
 function usePresence() {
@@ -130,14 +119,8 @@ function Speed({ space, percent, onChange }) {
   );
 }
 
-/** Returns two decimals, never -0.00. */
-function rounded(value) {
-  return (Math.round(Number(value) * 100) / 100 + 0).toFixed(2);
-}
-
-function Pads({ space, percent, step, ready }) {
-  const { names, variable } = SPACES[space];
-  const position = usePosition(variable);
+function Pads({ space, position, percent, step, ready }) {
+  const { names } = SPACES[space];
   return h(
     'div',
     { class: 'pads' },
@@ -145,7 +128,6 @@ function Pads({ space, percent, step, ready }) {
       const button = (positive) =>
         h(JogButton, { name, direction, positive, percent, step, disabled: !ready });
       const unit = space === 'joints' || direction > 2 ? '°' : 'mm';
-      const value = position[name];
       return h(
         'div',
         { key: name, class: 'pad', role: 'group', 'aria-label': name },
@@ -154,7 +136,7 @@ function Pads({ space, percent, step, ready }) {
           'div',
           { class: 'place' },
           h('strong', null, name),
-          h('span', { class: 'reading' }, value === undefined ? '–' : `${rounded(value)} ${unit}`),
+          h('span', { class: 'reading' }, numberText(position?.[name], 2, unit)),
         ),
         button(true),
       );
@@ -191,6 +173,8 @@ export function View() {
   const open = isMine() ? jogging().open : '';
   const ready = open === space && state.socket === 'open' && one.lock?.open === true;
   const [kind, words] = status(ready);
+  const { variable } = SPACES[space];
+  const [values, stale] = useReadings('jog', [variable], POSITION_PERIOD);
 
   const start = (wanted) => jog('open', { robot, space: wanted, confirmed: true });
   const begin = () => (one.mode === '#T1' || one.simulated ? start(space) : setAsks(true));
@@ -215,7 +199,7 @@ export function View() {
   };
   return h(
     'div',
-    { class: 'jog' },
+    { class: `jog ${stale ? 'stale' : ''}` },
     h('h1', { class: 'unseen' }, 'Jog'),
     h('p', { class: 'warning' }, 'Not an enabling device, not an emergency stop.'),
     h(Owner),
@@ -253,7 +237,7 @@ export function View() {
       onChoose: setStep,
     }),
     h(Speed, { space, percent, onChange: setPercent }),
-    h(Pads, { key: space, space, percent, step, ready }),
+    h(Pads, { key: space, space, position: values[variable]?.value, percent, step, ready }),
     h(
       'p',
       { class: 'hint' },

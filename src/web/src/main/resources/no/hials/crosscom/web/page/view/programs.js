@@ -9,7 +9,8 @@ import { Files } from '../programs/files.js';
 import { Interpreters } from '../programs/interpreters.js';
 import { Messages } from '../programs/messages.js';
 import { ModuleText } from '../programs/text.js';
-import { call, watch } from '../socket.js';
+import { useReadings } from '../readings.js';
+import { call } from '../socket.js';
 import { header, state, useSharedState } from '../state.js';
 
 const PERIOD = 250; // ms
@@ -32,17 +33,6 @@ function useAbilities() {
   return known;
 }
 
-function useReadings(names) {
-  const [values, setValues] = useState({});
-  useEffect(() => {
-    setValues({});
-    return watch(state.robot, 'programs', names, PERIOD, (event) =>
-      setValues((old) => ({ ...old, ...event.values })),
-    );
-  }, [names.join()]);
-  return values;
-}
-
 export function View() {
   useSharedState();
   const known = useAbilities();
@@ -51,7 +41,7 @@ export function View() {
   const [file, setFile] = useState('');
   const [version, setVersion] = useState(0);
   const pointer = POINTERS[interpreter];
-  const values = useReadings([pointer, '$ON_PATH', '$MOVE_BCO']);
+  const [values, stale] = useReadings('programs', [pointer, '$ON_PATH', '$MOVE_BCO'], PERIOD);
   const changed = () => setVersion((old) => old + 1);
   return h(
     'div',
@@ -60,7 +50,7 @@ export function View() {
     h(
       'div',
       { class: 'side' },
-      h(Interpreters, { known, values, onAsk: setAsked }),
+      h(Interpreters, { known, values, stale, onAsk: setAsked }),
       h(Checks),
     ),
     h(
@@ -69,6 +59,7 @@ export function View() {
       h(ModuleText, {
         known,
         pointer: values[pointer]?.value,
+        stale,
         error: values[pointer]?.error,
         interpreter,
         onInterpreter: setInterpreter,

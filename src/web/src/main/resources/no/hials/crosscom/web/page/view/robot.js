@@ -3,8 +3,10 @@
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { LONGEST_STEP } from '../replay.js';
+import { oldestTime, timed } from '../readings.js';
 import { call, watch } from '../socket.js';
-import { header, isStale, note, state, useSharedState } from '../state.js';
+import { header, note, oldAfter, state, useSharedState, useStale } from '../state.js';
+import { numberText } from '../value.js';
 
 const AXES = ['A1', 'A2', 'A3', 'A4', 'A5', 'A6'];
 const POSE = ['X', 'Y', 'Z', 'A', 'B', 'C'];
@@ -38,7 +40,7 @@ function pose(values) {
 function live(model, listener) {
   const period = header().simulated ? 20 : 50;
   const moving = ['$AXIS_ACT', '$POS_ACT', ...(model.target ? [model.target] : [])];
-  const seen = (event) => event.missed || listener(event.values);
+  const seen = (event) => event.missed || listener(timed(event));
   const stops = [
     watch(state.robot, '3d', moving, period, seen),
     watch(state.robot, '3d-frames', ['$BASE', '$TOOL'], FRAME_PERIOD, seen),
@@ -165,10 +167,6 @@ function show(scene, model, values) {
   scene.aim(differs ? aim : null, external(target));
 }
 
-function number(value, digits) {
-  return typeof value === 'number' ? value.toFixed(digits) : '–';
-}
-
 function Axis({ name, axis, angle, target }) {
   const known = Number.isFinite(angle);
   const limit = known ? limitOf(axis, angle) : 'free';
@@ -179,7 +177,7 @@ function Axis({ name, axis, angle, target }) {
     'tr',
     { class: limit },
     h('th', { scope: 'row' }, name),
-    h('td', { class: 'reading' }, number(angle, 2)),
+    h('td', { class: 'reading' }, numberText(angle, 2)),
     h(
       'td',
       null,
@@ -190,7 +188,7 @@ function Axis({ name, axis, angle, target }) {
         known && h('span', { class: 'mark', style: { left: part(angle) } }),
       ),
     ),
-    h('td', { class: 'ends' }, `${number(axis.minimum, 0)} … ${number(axis.maximum, 0)}`),
+    h('td', { class: 'ends' }, `${numberText(axis.minimum, 0)} … ${numberText(axis.maximum, 0)}`),
     h('td', { class: 'limit' }, STATES[limit]),
   );
 }
@@ -217,7 +215,7 @@ function Numbers({ model, values, stale }) {
             'div',
             { key: name },
             h('dt', null, name),
-            h('dd', { class: 'reading' }, number(tcp?.[name], i < 3 ? 1 : 2)),
+            h('dd', { class: 'reading' }, numberText(tcp?.[name], i < 3 ? 1 : 2)),
             h('dd', { class: 'unit' }, i < 3 ? 'mm' : '°'),
           ),
         ),
@@ -302,10 +300,10 @@ export function View() {
       stop();
     };
   }, [model, player]);
+  const stale = useStale(() => oldestTime(values), oldAfter(FRAME_PERIOD)) && player === null;
   if (!model) {
     return h('section', { class: 'panel' }, h('h1', null, '3-D'), h('p', null, 'Asking for the robot …'));
   }
-  const stale = player === null && isStale(header());
   const without = missing(player, values);
   const scene = (work) => () => picture.current && work(picture.current);
   return h(

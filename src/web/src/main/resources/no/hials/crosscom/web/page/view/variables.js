@@ -2,7 +2,7 @@
 
 import { h } from 'preact';
 import { useState } from 'preact/hooks';
-import { header, isStale, useSharedState } from '../state.js';
+import { useSharedState } from '../state.js';
 import { Edit } from '../variables/edit.js';
 import { Lists, useList } from '../variables/lists.js';
 import { Search } from '../variables/search.js';
@@ -47,7 +47,6 @@ export function View() {
             list,
             history,
             filter,
-            cut: isStale(header()),
             onEdit: setEdited,
             onRemove: (name) => change({ names: list.names.filter((it) => it !== name) }),
           }),

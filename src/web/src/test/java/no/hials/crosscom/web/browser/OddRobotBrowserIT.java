@@ -11,6 +11,8 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
 import org.junit.jupiter.api.AfterEach;
@@ -90,6 +92,23 @@ class OddRobotBrowserIT {
     browser.await(
         "document.querySelector('.top:not(.stale)') && document.querySelector('.stale .lamp')");
     awaitText(browser, ".stale .hint", "the server needs long");
+  }
+
+  @Test
+  void anOldVerdictDoesNotLookGood(Browser browser) throws Exception {
+    open(browser, ServerType.C3_BRIDGE, "programs");
+    Controller controller = pages.controller().controller();
+    controller.load("long.src", "DEF LONG ( )\nLOOP\nENDLOOP\nEND\n");
+    controller.setMode(OperatingMode.AUT);
+    controller.robot().select("LONG");
+    controller.start();
+    awaitText(browser, ".verdict.ok", "No problem found");
+
+    pages.controller().fault(request -> true, Fault.hold(released));
+
+    browser.await(
+        "document.querySelector('.top.stale') && !document.querySelector('.verdict.ok')"
+            + " && !document.querySelector('.verdict').textContent.includes('No problem')");
   }
 
   @Test

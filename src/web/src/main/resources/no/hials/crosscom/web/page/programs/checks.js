@@ -3,7 +3,7 @@
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
 import { onEvent, tell } from '../socket.js';
-import { header, isStale, serverTime, state, useSharedState } from '../state.js';
+import { state, useSharedState, useStale } from '../state.js';
 
 const MARKS = { ok: '✓', problem: '!', unknown: '?' };
 const OLD = 5000; // ms
@@ -50,21 +50,23 @@ export function Checks() {
   const checks = event?.checks ?? [];
   const first = checks.find((one) => one.state === 'problem');
   const unknown = checks.filter((one) => one.state === 'unknown').length;
-  const old = event && (isStale(header()) || serverTime() - event.time > OLD);
+  const old = useStale(() => event?.time, OLD);
   const words = !event
     ? 'Reading …'
-    : event.moving && !old
-      ? 'The robot moves.'
-      : first
-        ? `First problem: ${first.name}. ${first.advice}`
-        : unknown === checks.length
+    : first && (old || !event.moving)
+      ? `${old ? 'Not up to date. ' : ''}First problem: ${first.name}. ${first.advice}`
+      : old
+        ? 'Nothing can be said now: what was read is not up to date.'
+        : event.moving
+          ? 'The robot moves.'
+          : unknown === checks.length
           ? 'Nothing could be checked.'
           : `No problem found${unknown ? `, but ${unknown} of ${checks.length} checks are unknown` : ''}. See the running line: the program may compute or wait.`;
   return h(
     'section',
     { class: `panel checks ${old ? 'stale' : ''}`, 'aria-label': 'Why does it not move?' },
     h('h2', null, 'Why does it not move?'),
-    h('p', { class: `verdict ${first || unknown === checks.length ? 'problem' : 'ok'}`, 'aria-live': 'polite' }, words),
+    h('p', { class: `verdict ${old || !event ? 'old' : first || unknown === checks.length ? 'problem' : 'ok'}`, 'aria-live': 'polite' }, words),
     h(
       'details',
       { open },

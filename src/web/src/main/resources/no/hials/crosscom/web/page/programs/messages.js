@@ -124,7 +124,7 @@ export function Messages({ known, onAsk }) {
         'p',
         { class: 'hint' },
         'No server sends the texts of messages: read them on the pendant. ',
-        can ? '' : 'KUKAVARPROXY cannot confirm them either.',
+        can || !known ? '' : 'KUKAVARPROXY cannot confirm them either.',
       ),
     answer?.known &&
       h(

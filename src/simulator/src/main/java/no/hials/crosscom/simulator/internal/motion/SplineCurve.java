@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * two identical points, and where the path would turn back on itself.
  */
 final class SplineCurve implements Curve {
-  /** Points are the same if they are closer than this, mm. Assumed. */
+  /** Points are the same if they are closer than this, mm or degrees. Assumed. */
   private static final double SAME = 1e-3;
 
   /** Directions are the same, and rates of the orientation, if they differ by less. Assumed. */
@@ -114,12 +114,21 @@ final class SplineCurve implements Curve {
       frames[i + 1] = arc.at(1);
     }
     if (chords[i] < SAME) {
-      chords[i] = 0;
-      boolean still =
-          Frames.angle(frames[i], frames[i + 1]) < SAME && external[i].equals(external[i + 1]);
-      if (still) {
-        identical.add(i + 1);
-      }
+      stay(i);
+    }
+  }
+
+  /** Lets the TCP stay where it is; what changes less than can be seen stays as well. */
+  private void stay(int i) {
+    chords[i] = 0;
+    arcs[i] = null;
+    boolean turns = Frames.angle(frames[i], frames[i + 1]) >= SAME;
+    frames[i + 1] = turns ? Point.of(frames[i]).turnedAs(frames[i + 1]) : frames[i];
+    if (external[i].largestDifference(external[i + 1]) < SAME) {
+      external[i + 1] = external[i];
+    }
+    if (!turns && external[i].equals(external[i + 1])) {
+      identical.add(i + 1);
     }
   }
 

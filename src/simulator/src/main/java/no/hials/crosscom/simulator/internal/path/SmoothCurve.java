@@ -9,6 +9,15 @@ public final class SmoothCurve {
   /** A shorter tangent is lengthened: a sharp bend gets no cusp. Assumed. */
   private static final double SHORTEST = 0.25;
 
+  /**
+   * How far tangent and bend at a point may carry over the longer interval next to it, in the
+   * larger change of the two: an abrupt change within a short interval does not swing out over a
+   * long one. Assumed.
+   */
+  private static final double MOST_TANGENT = 3;
+
+  private static final double MOST_BEND = 8;
+
   private final double[][] points;
   private final double[] lengths;
   private final boolean[] stops;
@@ -56,7 +65,9 @@ public final class SmoothCurve {
       if (!isEnd(point)) {
         boolean known = knownTangents[point] != null;
         tangents[i][side] = known ? knownTangents[point] : tangent(point);
-        bends[i][side] = known ? knownBends[point] : bend(point);
+        double[] bend = known ? knownBends[point] : bend(point);
+        double change = Math.max(change(point - 1), change(point));
+        bends[i][side] = atMost(MOST_BEND * change / lengths[i] / lengths[i], bend);
       }
     }
     for (int side = 0; side < 2; side++) {
@@ -89,7 +100,18 @@ public final class SmoothCurve {
   /** Returns the tangent of the parabola at the middle one of three points. */
   public static double[] parabola(double[] slope, double length, double[] next, double nextLength) {
     double both = length + nextLength;
-    return sum(slope, nextLength / both, next, length / both);
+    double[] tangent = sum(slope, nextLength / both, next, length / both);
+    double change = Math.max(length(slope) * length, length(next) * nextLength);
+    return atMost(MOST_TANGENT * change / Math.max(length, nextLength), tangent);
+  }
+
+  private static double[] atMost(double most, double[] vector) {
+    double length = length(vector);
+    return length > most ? sum(vector, most / length, vector, 0) : vector;
+  }
+
+  private double change(int interval) {
+    return length(sum(points[interval + 1], 1, points[interval], -1));
   }
 
   private double[] bend(int point) {

@@ -17,6 +17,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The routines of KSS on a whole controller. */
 class KssRoutinesTest {
@@ -120,6 +121,20 @@ class KssRoutinesTest {
     run("TOOL_DATA[2].X=11.0\nBASE_DATA[3].Y=22.0\n" + statements.replace(" $R1", "\nR1"));
 
     assertThat(get(variable)).isEqualTo(value);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "SPTP {A1 5} WITH $TOOL=STOOL2(FP1), $BASE=SBASE(FP1.BASE_NO)",
+        "SPLINE\nSPL {X 480,Y 30,Z 600} WITH $TOOL=STOOL2(FP1)\nENDSPLINE"
+      })
+  void aToolSetForOneMotionKeepsItsNumbers(String motion) {
+    run("TOOL_DATA[2].X=11.0\nBAS(#INITMOV,0)\nF1=$TOOL\n" + motion + "\nB1=$TOOL.X==F1.X");
+
+    assertThat(get("$ACT_TOOL")).isEqualTo("2");
+    assertThat(get("$ACT_BASE")).isEqualTo("3");
+    assertThat(get("B1")).isEqualTo("TRUE");
   }
 
   @ParameterizedTest

@@ -22,7 +22,7 @@ final class MotionSettings {
   private static List<String> names() {
     List<String> names = new ArrayList<>();
     names.addAll(List.of("$VEL", "$ACC", "$JERK", "$APO", "$TOOL", "$BASE", "$LOAD"));
-    names.addAll(List.of("$ORI_TYPE", "$CIRC_TYPE", "$IPO_MODE", "$ACT_TOOL", "$ACT_BASE"));
+    names.addAll(List.of("$ORI_TYPE", "$CIRC_TYPE", "$IPO_MODE"));
     for (int axis = 1; axis <= PositionValues.ROBOT_AXES; axis++) {
       for (String array : List.of("$VEL_AXIS", "$ACC_AXIS", "$GEAR_JERK")) {
         names.add(array + "[" + axis + "]");

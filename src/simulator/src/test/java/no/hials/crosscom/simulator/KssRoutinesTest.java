@@ -432,6 +432,28 @@ class KssRoutinesTest {
     assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "MsgNotify(\"%1 of %2\", ,-1,\"blue\",-1)",
+        "MsgQuit(\"%1 of %2\", ,-1,\"blue\",-1)",
+        "MsgState(I1,\"%1 of %2\", ,-1,\"blue\",-1)"
+      })
+  void showsANumberBelowZero(String message) {
+    load(message).start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages()).singleElement().hasToString("-1 -1 of blue");
+  }
+
+  @Test
+  void countsTheTextOfADialogueAsItsFirstParameter() {
+    load("MsgDialog(I1,\"%1|%2\", ,\"blue\",\"left\")").start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages()).singleElement().hasToString("0 blue|");
+  }
+
   @Test
   void waitsUntilAMessageIsConfirmed() {
     load("MsgQuit(\"check the gripper\")\nI1=1").start();

@@ -42,6 +42,9 @@ final class Blend {
   /** How exactly the time of a blend is found: halvings of the longest time. */
   private static final int HALVINGS = 20;
 
+  /** The smallest part of a path that a corner can cut. */
+  private static final double SHORTEST = 1e-9;
+
   /** The number of points at which a blend is checked. */
   private static final int TRIALS = 4;
 
@@ -116,7 +119,10 @@ final class Blend {
           Math.max(before.path().earliestLeave(), lengths.fromEnd(before, distance.mm()));
       double leave = Math.max(nominal, earliest);
       double join = Math.min(next.path().latestJoin(), lengths.fromStart(next, distance.mm()));
-      return Optional.of(joined(before, leave, next, join));
+      // where two points of a block are identical, there is no path to cut
+      return leave > 1 - SHORTEST || join < SHORTEST
+          ? Optional.empty()
+          : Optional.of(joined(before, leave, next, join));
     } catch (MotionRefusedException e) {
       // the corner may be at a limit
       return Optional.empty();

@@ -19,7 +19,7 @@ import no.hials.crosscom.simulator.internal.motion.SplineSegment.Shape;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Points that are almost where the robot is, as taught points and computed ones often are. */
@@ -182,24 +182,15 @@ class TinyDistanceTest {
     ride.add(new AxisSpline(ride.nextId(), segments, List.of(), Frame.IDENTITY, new Exact()));
   }
 
-  /** The approximations of single motions. */
-  enum Approximation {
-    NONE(new Exact()),
-    C_DIS(new Distance(20)),
-    C_ORI(new Orientation(5)),
-    C_VEL(new Speed(50)),
-    C_PTP(new AxisDistance(50));
-
-    private final ApproximationZone zone;
-
-    Approximation(ApproximationZone zone) {
-      this.zone = zone;
-    }
+  private static List<ApproximationZone> approximations() {
+    return List.of(
+        new Exact(), new Distance(20), new Orientation(5), new Speed(50), new AxisDistance(50));
   }
 
   @ParameterizedTest
-  @EnumSource
-  void singleMotionsCanGoAlmostNowhere(Approximation approximation) throws MotionRefusedException {
+  @MethodSource("approximations")
+  void singleMotionsCanGoAlmostNowhere(ApproximationZone approximation)
+      throws MotionRefusedException {
     List<Frame> targets = new ArrayList<>();
     for (double mm : new double[] {0, 1e-12, 1e-9, 1e-7, 5e-4, 5e-4, 1e-3}) {
       Frame last = targets.isEmpty() ? FROM : targets.get(targets.size() - 1);
@@ -209,14 +200,50 @@ class TinyDistanceTest {
     }
     Axis axes = START;
     for (Frame target : targets) {
-      ride.lin(target, approximation.zone);
+      ride.lin(target, approximation);
       axes = ride.system.plannedEnd().robot();
-      ride.ptp(axes.with(0, axes.get(0) + 5e-4), Ride.FULL, approximation.zone);
-      ride.ptp(axes.with(0, axes.get(0) + 1e-10), Ride.FULL, approximation.zone);
-      ride.spline(List.of(to(Shape.THROUGH, target), to(Shape.LINE, target)), approximation.zone);
+      ride.ptp(axes.with(0, axes.get(0) + 5e-4), Ride.FULL, approximation);
+      ride.ptp(axes.with(0, axes.get(0) + 1e-10), Ride.FULL, approximation);
+      ride.spline(List.of(to(Shape.THROUGH, target), to(Shape.LINE, target)), approximation);
     }
     Frame end = at(0, 40, 10);
     ride.lin(end);
     endsAt(end);
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 1e-12, 1e-7, 5e-4, 0.0011, 0.1})
+  void approximatedBlocksCanEndAndStartAlmostInOnePoint(double mm) throws MotionRefusedException {
+    Frame middle = at(0, 40, 10);
+    Frame end = at(-60, 40, 40);
+    ride.spline(
+        List.of(to(Shape.THROUGH, middle), to(Shape.THROUGH, at(0, 40 + mm, 10))),
+        new Distance(20));
+    ride.spline(
+        List.of(
+            to(Shape.THROUGH, at(mm, 40 + mm, 10)),
+            to(Shape.THROUGH, at(-30, 80, 40)),
+            to(Shape.THROUGH, end)),
+        new Distance(20));
+    ride.lin(at(-60, 40 + mm, 40), new Distance(20));
+    ride.lin(at(0, 0, 40));
+    endsAt(at(0, 0, 40));
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0, 1e-12, 1e-9, 1e-7, 1e-4, 1e-2})
+  void approximatedBlocksOfAxesCanEndAndStartAlmostInOnePoint(double degrees)
+      throws MotionRefusedException {
+    Axis middle = new Axis(20, -80, 80, 10, 50, 0);
+    Axis near = middle.with(3, 10 + degrees);
+    AxisRates rates = AxisRates.of(50, 100);
+    for (List<Axis> points : List.of(List.of(middle, near), List.of(middle, START, near))) {
+      List<AxisSegment> segments =
+          points.stream().map(target -> new AxisSegment(target, rates, NONE)).toList();
+      ride.add(
+          new AxisSpline(ride.nextId(), segments, List.of(), Frame.IDENTITY, new Distance(20)));
+    }
+    ride.ptp(START);
+    endsAt(FROM);
   }
 }

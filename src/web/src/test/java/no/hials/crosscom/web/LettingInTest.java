@@ -211,6 +211,7 @@ class LettingInTest {
     try (TestSocket operator = pages.open(Role.JOG)) {
       operator.awaitEvent("browsers");
       TestSocket other = pages.open(Role.VIEW);
+      other.call("ping"); // the server knows the page, not only its login
       operator.awaitEvent("browsers");
       JsonNode both = operator.call("browsers").at("/ok/browsers");
       assertThat(both.findValuesAsText("pages")).containsExactly("1", "1");

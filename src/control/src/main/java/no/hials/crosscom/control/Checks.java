@@ -25,10 +25,10 @@ final class Checks {
     return value;
   }
 
-  static Duration between(String field, Duration value, Duration least, Duration most) {
-    if (value.compareTo(least) < 0 || value.compareTo(most) > 0) {
+  static Duration between(String field, Duration value, Duration minimum, Duration maximum) {
+    if (value.compareTo(minimum) < 0 || value.compareTo(maximum) > 0) {
       throw new IllegalArgumentException(
-          field + " must be " + least + " to " + most + ", is " + value);
+          field + " must be " + minimum + " to " + maximum + ", is " + value);
     }
     return value;
   }

@@ -31,8 +31,8 @@ final class FeedbackAge {
   /** The time that has passed on the controller, ns. */
   private long passed;
 
-  /** The least lead of the clock of this computer, ns. */
-  private long least;
+  /** The smallest lead of the clock of this computer, ns. */
+  private long smallestLead;
 
   FeedbackAge(Channel channel, LoopTime time, Safety safety) {
     this.channel = channel;
@@ -56,14 +56,15 @@ final class FeedbackAge {
       throw new ControlRefusedException(
           new StopReason(
               StopKind.STALE_FEEDBACK,
-              "the age of positions needs the clock of the controller (noClock() works without it): "
+              "the age of positions needs the clock of the controller (noClock() works without it):"
+                  + " "
                   + e.getMessage(),
               e));
     }
     together = channel.readsTogether();
     last = clock.intValue();
     lastNanos = time.nanoTime();
-    least = lastNanos;
+    smallestLead = lastNanos;
   }
 
   /** Returns whether the clock is read with each position, in one message. */
@@ -88,7 +89,7 @@ final class FeedbackAge {
     last = clock.intValue();
     passed += millis * 1_000_000L;
     long lead = now - passed;
-    least = Math.min(lead, least + (long) (DRIFT * (now - lastNanos)));
+    smallestLead = Math.min(lead, smallestLead + (long) (DRIFT * (now - lastNanos)));
     lastNanos = now;
     Guard.checkAtMost(
         StopKind.STALE_FEEDBACK,
@@ -96,6 +97,6 @@ final class FeedbackAge {
         position,
         limitMillis,
         "ms",
-        (lead - least) / 1e6);
+        (lead - smallestLead) / 1e6);
   }
 }

@@ -27,12 +27,12 @@ final class Guard {
   void check(Axis axes, boolean actual) throws ControlRefusedException {
     double margin = actual ? 0 : safety.axisMargin();
     for (int i = 0; i < 6; i++) {
-      double least = axisLimits.minimum().get(i) + margin;
-      double most = axisLimits.maximum().get(i) - margin;
+      double minimum = axisLimits.minimum().get(i) + margin;
+      double maximum = axisLimits.maximum().get(i) - margin;
       double angle = axes.get(i);
-      if (angle < least || angle > most) {
+      if (angle < minimum || angle > maximum) {
         throw outside(
-            StopKind.AXIS_LIMIT, "A" + (i + 1), "degrees", least, most, margin, angle, actual);
+            StopKind.AXIS_LIMIT, "A" + (i + 1), "degrees", minimum, maximum, margin, angle, actual);
       }
     }
   }
@@ -46,12 +46,12 @@ final class Guard {
     }
     double margin = actual ? 0 : safety.workspaceMargin();
     for (int i = 0; i < XYZ.length(); i++) {
-      double least = workspace.min(i) + margin;
-      double most = workspace.max(i) - margin;
+      double minimum = workspace.min(i) + margin;
+      double maximum = workspace.max(i) - margin;
       double place = i == 0 ? position.x() : i == 1 ? position.y() : position.z();
-      if (place < least || place > most) {
+      if (place < minimum || place > maximum) {
         String name = XYZ.substring(i, i + 1) + " of the workspace";
-        throw outside(StopKind.WORKSPACE, name, "mm", least, most, margin, place, actual);
+        throw outside(StopKind.WORKSPACE, name, "mm", minimum, maximum, margin, place, actual);
       }
     }
   }
@@ -60,8 +60,8 @@ final class Guard {
       StopKind kind,
       String name,
       String unit,
-      double least,
-      double most,
+      double minimum,
+      double maximum,
       double margin,
       double value,
       boolean actual) {
@@ -69,9 +69,9 @@ final class Guard {
         kind,
         name
             + " must be "
-            + number(least)
+            + number(minimum)
             + " to "
-            + number(most)
+            + number(maximum)
             + " "
             + unit
             + (margin > 0 ? " (limits minus a margin of " + number(margin) + ")" : "")

@@ -9,7 +9,7 @@ import no.hials.crosscom.control.Space.Quantity;
 final class Meter {
   private final List<Quantity> quantities;
   private final double[] squares;
-  private final double[] most;
+  private final double[] largest;
   private final Tally period = new Tally();
   private final Tally late = new Tally();
   private final Tally read = new Tally();
@@ -25,7 +25,7 @@ final class Meter {
   Meter(List<Quantity> quantities) {
     this.quantities = quantities;
     this.squares = new double[quantities.size()];
-    this.most = new double[quantities.size()];
+    this.largest = new double[quantities.size()];
   }
 
   synchronized void began(long sinceLast, long lateNanos) {
@@ -61,7 +61,7 @@ final class Meter {
     errors++;
     for (int i = 0; i < differences.length; i++) {
       squares[i] += differences[i] * differences[i];
-      most[i] = Math.max(most[i], differences[i]);
+      largest[i] = Math.max(largest[i], differences[i]);
     }
   }
 
@@ -74,7 +74,7 @@ final class Meter {
               quantity.name(),
               quantity.unit(),
               errors == 0 ? 0 : Math.sqrt(squares[i] / errors),
-              most[i]));
+              largest[i]));
     }
     return new LoopStatistics(
         cycles,

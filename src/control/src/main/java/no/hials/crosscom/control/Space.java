@@ -243,18 +243,18 @@ abstract sealed class Space<P> {
     @Override
     boolean cut(double[] increment) {
       double way = Math.hypot(Math.hypot(increment[0], increment[1]), increment[2]);
-      double mostWay = quantities.get(0).limits().step();
-      boolean cut = way > mostWay;
+      double maxWay = quantities.get(0).limits().step();
+      boolean cut = way > maxWay;
       if (cut) {
         for (int i = 0; i < TURN; i++) {
-          increment[i] *= mostWay / way;
+          increment[i] *= maxWay / way;
         }
       }
       Frame turn = new Frame(0, 0, 0, increment[TURN], increment[TURN + 1], increment[TURN + 2]);
       double angle = angle(Frame.IDENTITY, turn);
-      double mostAngle = quantities.get(1).limits().step();
-      if (angle > mostAngle) {
-        Frame part = Rotations.part(turn, mostAngle / angle);
+      double maxAngle = quantities.get(1).limits().step();
+      if (angle > maxAngle) {
+        Frame part = Rotations.part(turn, maxAngle / angle);
         increment[TURN] = part.a();
         increment[TURN + 1] = part.b();
         increment[TURN + 2] = part.c();
@@ -344,16 +344,16 @@ abstract sealed class Space<P> {
 
     @Override
     boolean cut(double[] increment) {
-      double most = 0;
+      double largest = 0;
       for (double part : increment) {
-        most = Math.max(most, Math.abs(part));
+        largest = Math.max(largest, Math.abs(part));
       }
       double step = quantities.get(0).limits().step();
-      if (most <= step) {
+      if (largest <= step) {
         return false;
       }
       for (int i = 0; i < increment.length; i++) {
-        increment[i] *= step / most;
+        increment[i] *= step / largest;
       }
       return true;
     }

@@ -67,19 +67,56 @@ public final class RequestDispatcher {
     default @Nullable String hex() {
       return null;
     }
+
+    /**
+     * Answers the request.
+     *
+     * @param executes whether a fault lets the server execute it
+     */
+    Served answer(RequestDispatcher server, RequestHandler handler, boolean executes);
   }
 
   /** A message. */
-  private record Message(Request request) implements Decoded {}
+  private record Message(Request request) implements Decoded {
+    @Override
+    public Served answer(RequestDispatcher server, RequestHandler handler, boolean executes) {
+      if (!executes) {
+        return Served.NOTHING;
+      }
+      RequestHandler.Handled outcome = handler.handle(request);
+      return new Served(
+          outcome.response() == null ? Fault.closeBefore() : Fault.none(),
+          outcome.response(),
+          outcome.refused(),
+          handler.isForServer(request) ? 0 : server.times.getAsLong());
+    }
+  }
 
   /** A message of a known type whose fields are malformed. */
-  private record Malformed(String hex, MalformedRequestException reason) implements Decoded {}
+  private record Malformed(String hex, MalformedRequestException reason) implements Decoded {
+    @Override
+    public Served answer(RequestDispatcher server, RequestHandler handler, boolean executes) {
+      return executes ? new Served(handler.malformed(reason)) : Served.NOTHING;
+    }
+  }
 
-  /** A message of a type that the server does not know. */
-  private record Unknown(String hex, int id) implements Decoded {}
+  /** A message of a type that the server does not know; answered even if it is not executed. */
+  private record Unknown(String hex, int id) implements Decoded {
+    @Override
+    public Served answer(RequestDispatcher server, RequestHandler handler, boolean executes) {
+      boolean closes = server.config.unknownFunction() == UnknownFunction.CLOSE;
+      return new Served(
+          closes ? Fault.closeBefore() : Fault.none(), new EmptyResponse(id), null, 0);
+    }
+  }
 
-  /** Bytes that are not a message. */
-  private record NoMessage(String hex) implements Decoded {}
+  /** Bytes that are not a message, which no server answers. */
+  private record NoMessage(String hex) implements Decoded {
+    @Override
+    public Served answer(RequestDispatcher server, RequestHandler handler, boolean executes) {
+      return Served.NOTHING;
+    }
+  }
 
   /**
    * The result of a request.
@@ -91,6 +128,8 @@ public final class RequestDispatcher {
    */
   private record Served(
       Fault fault, @Nullable Response response, @Nullable RefusedException refused, long nanos) {
+    static final Served NOTHING = new Served(null);
+
     Served(@Nullable Response response) {
       this(Fault.none(), response, null, 0);
     }
@@ -114,8 +153,9 @@ public final class RequestDispatcher {
       LOG.trace("connection {} < {}", connection, hex(frame));
     }
     Decoded decoded = decode(handler, connection, frame);
-    if (decoded instanceof Message message) {
-      handler.prepare(message.request());
+    Request request = decoded.request();
+    if (request != null) {
+      handler.prepare(request);
     }
     if (config.pendingRequests() != PendingRequests.DROP) {
       turn.lock();
@@ -127,10 +167,9 @@ public final class RequestDispatcher {
     Served result;
     try {
       RecordedRequest recorded =
-          new RecordedRequest(
-              served + 1, connection, Instant.now(), decoded.request(), decoded.hex(), null);
+          new RecordedRequest(served + 1, connection, Instant.now(), request, decoded.hex(), null);
       fault = faults.next(recorded);
-      result = answer(handler, decoded, fault.executes());
+      result = decoded.answer(this, handler, fault.executes());
       served++;
       requests.add(
           result.refused() == null ? recorded : refused(recorded, result.refused()), frame.length);
@@ -143,29 +182,7 @@ public final class RequestDispatcher {
     if (!config.oneAtATime()) {
       Pause.ofNanos(result.nanos());
     }
-    return deliver(
-        fault == Fault.none() ? result.fault() : fault, decoded.request(), result.response());
-  }
-
-  /** Answers a request. An unknown function is answered even if a fault does not execute it. */
-  private Served answer(RequestHandler handler, Decoded decoded, boolean executes) {
-    if (decoded instanceof Unknown unknown) {
-      boolean closes = config.unknownFunction() == UnknownFunction.CLOSE;
-      return new Served(
-          closes ? Fault.closeBefore() : Fault.none(), new EmptyResponse(unknown.id()), null, 0);
-    }
-    if (executes && decoded instanceof Message message) {
-      RequestHandler.Handled outcome = handler.handle(message.request());
-      return new Served(
-          outcome.response() == null ? Fault.closeBefore() : Fault.none(),
-          outcome.response(),
-          outcome.refused(),
-          handler.isForServer(message.request()) ? 0 : times.getAsLong());
-    }
-    return new Served(
-        executes && decoded instanceof Malformed malformed
-            ? handler.malformed(malformed.reason())
-            : null);
+    return deliver(fault == Fault.none() ? result.fault() : fault, request, result.response());
   }
 
   private Decoded decode(RequestHandler handler, int connection, byte[] frame) {

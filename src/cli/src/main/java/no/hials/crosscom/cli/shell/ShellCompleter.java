@@ -60,7 +60,7 @@ final class ShellCompleter implements Completer {
       return all;
     }
     String first = before.get(0).toLowerCase(Locale.ROOT);
-    if (ShellLine.OWN.containsKey(first) || ShellWords.isSet(first) || first.equals("read")) {
+    if (ShellLine.BUILT_INS.containsKey(first) || ShellWords.isSet(first) || first.equals("read")) {
       return behindOwn(first, before, word);
     }
     if (commands.names().contains(first)) {
@@ -106,8 +106,8 @@ final class ShellCompleter implements Completer {
 
   private List<Candidate> commands() {
     List<Candidate> all = new ArrayList<>();
-    new TreeMap<>(ShellLine.OWN)
-        .forEach((name, help) -> all.add(candidate(name, help.substring(21), true)));
+    new TreeMap<>(ShellLine.BUILT_INS)
+        .forEach((name, command) -> all.add(candidate(name, command.help(), true)));
     for (String name : commands.names()) {
       all.add(candidate(name, description(commands.commandLine(name)), true));
     }

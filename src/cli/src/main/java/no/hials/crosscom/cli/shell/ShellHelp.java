@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
@@ -18,7 +19,7 @@ final class ShellHelp {
     List<String> lines = new ArrayList<>();
     lines.add("$OV_PRO              reads a variable, a field, an element or a whole array");
     lines.add("$OV_PRO = 50         writes it, also without the sign; the value is KRL");
-    lines.addAll(new java.util.TreeMap<>(ShellLine.OWN).values());
+    new TreeMap<>(ShellLine.BUILT_INS).values().forEach(each -> lines.add(each.line()));
     lines.add("; or #               begins a comment, # only at the beginning of a line");
     lines.add("commands as outside: " + String.join(", ", commands));
     return lines;

@@ -18,13 +18,13 @@ import picocli.CommandLine.TypeConversionException;
 sealed interface ShellLine {
 
   /** The words of the language itself, with their syntax and effect. */
-  Map<String, String> OWN =
+  Map<String, BuiltIn> BUILT_INS =
       Map.ofEntries(
-          Map.entry("get", "get NAME...          reads variables; also read"),
-          Map.entry("set", "set NAME VALUE       writes a variable; also write"),
-          Map.entry("wait", "wait TIME            waits: 500, 500ms, 3s, 1m"),
-          Map.entry("help", "help [NAME|COMMAND]  explains a variable or a command"),
-          Map.entry("exit", "exit, quit, Ctrl-D   ends the shell"));
+          Map.entry("get", new BuiltIn("get NAME...", "reads variables; also read")),
+          Map.entry("set", new BuiltIn("set NAME VALUE", "writes a variable; also write")),
+          Map.entry("wait", new BuiltIn("wait TIME", "waits: 500, 500ms, 3s, 1m")),
+          Map.entry("help", new BuiltIn("help [NAME|COMMAND]", "explains a variable or a command")),
+          Map.entry("exit", new BuiltIn("exit, quit, Ctrl-D", "ends the shell")));
 
   /**
    * Executes the line.
@@ -32,6 +32,19 @@ sealed interface ShellLine {
    * @return the exit code; the caller handles the end of the shell
    */
   ExitCode run(ShellSession session) throws IOException;
+
+  /**
+   * A command that only the shell has.
+   *
+   * @param synopsis its name and parameters
+   * @param help what it does
+   */
+  record BuiltIn(String synopsis, String help) {
+    /** Returns the line of the shell's help. */
+    String line() {
+      return "%-20s %s".formatted(synopsis, help);
+    }
+  }
 
   /** A blank line or a comment. */
   record Nothing() implements ShellLine {
@@ -173,7 +186,7 @@ sealed interface ShellLine {
     };
   }
 
-  /** Returns a command in lower case; if it has two names, the name in {@link #OWN}. */
+  /** Returns a command in lower case; if it has two names, the name in {@link #BUILT_INS}. */
   static String canonical(String word) {
     String lower = word.toLowerCase(Locale.ROOT);
     return switch (lower) {
@@ -211,7 +224,7 @@ sealed interface ShellLine {
       throws ShellSyntaxException {
     if (word.matches("[a-z]+")) {
       Set<String> all = new TreeSet<>(commands);
-      all.addAll(OWN.keySet());
+      all.addAll(BUILT_INS.keySet());
       all.addAll(List.of("read", "write", "quit"));
       List<String> meant = Suggestions.near(word, all);
       if (!meant.isEmpty()) {

@@ -3,6 +3,7 @@ package no.hials.crosscom.cli.shell;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.OutputException;
@@ -97,8 +98,8 @@ final class ShellSession {
     String lower = ShellLine.canonical(topic);
     if (topic.isEmpty()) {
       ShellHelp.language(commands.names()).forEach(console::print);
-    } else if (ShellLine.OWN.containsKey(lower)) {
-      console.print(String.valueOf(ShellLine.OWN.get(lower)));
+    } else if (ShellLine.BUILT_INS.containsKey(lower)) {
+      console.print(Objects.requireNonNull(ShellLine.BUILT_INS.get(lower)).line());
     } else if (commands.names().contains(lower)) {
       commands.printHelp(console, lower);
     } else {

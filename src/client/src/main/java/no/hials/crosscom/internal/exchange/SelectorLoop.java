@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
+import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -21,6 +22,9 @@ import org.slf4j.LoggerFactory;
  * or run code of the program.
  */
 public final class SelectorLoop implements Executor {
+  /** The pause after a failure of the system, which would otherwise repeat at once. */
+  private static final long PAUSE_NANOS = 100_000_000;
+
   private static final Logger LOG = LoggerFactory.getLogger(SelectorLoop.class);
 
   /** The user of a channel. */
@@ -104,6 +108,7 @@ public final class SelectorLoop implements Executor {
         }
       } catch (IOException e) {
         LOG.warn("waiting for channels failed", e);
+        LockSupport.parkNanos(PAUSE_NANOS);
       }
       List<Selectable> users = ready;
       ready = new ArrayList<>(users.size());

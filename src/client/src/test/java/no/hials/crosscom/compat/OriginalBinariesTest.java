@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
 import java.io.File;
+import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
@@ -17,6 +18,7 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.ServerType;
+import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -29,6 +31,9 @@ import org.junit.jupiter.params.provider.MethodSource;
  * their class files meet only the classes of this client. Each runs in a class loader of its own.
  */
 class OriginalBinariesTest {
+  /** Closed at the end only: a client's last callbacks run after its program. */
+  private static final List<URLClassLoader> LOADERS = new ArrayList<>();
+
   @TempDir private static Path folder;
 
   @KukaController private MockServer robot;
@@ -50,6 +55,13 @@ class OriginalBinariesTest {
   @BeforeAll
   static void silenceMissingProvider() {
     System.setProperty("slf4j.internal.verbosity", "ERROR");
+  }
+
+  @AfterAll
+  static void closeLoaders() throws IOException {
+    for (URLClassLoader loader : LOADERS) {
+      loader.close();
+    }
   }
 
   @BeforeAll
@@ -89,15 +101,15 @@ class OriginalBinariesTest {
     for (Path place : OriginalApi.client()) {
       places.add(place.toUri().toURL());
     }
-    try (URLClassLoader loader =
-        new URLClassLoader(places.toArray(new URL[0]), ClassLoader.getPlatformClassLoader())) {
-      Object printed =
-          loader
-              .loadClass("program." + program)
-              .getMethod("run", String.class, int.class)
-              .invoke(null, server.host(), server.port());
-      return String.valueOf(printed).replaceAll("\\d+ms", "Nms").lines().toList();
-    }
+    URLClassLoader loader =
+        new URLClassLoader(places.toArray(new URL[0]), ClassLoader.getPlatformClassLoader());
+    LOADERS.add(loader);
+    Object printed =
+        loader
+            .loadClass("program." + program)
+            .getMethod("run", String.class, int.class)
+            .invoke(null, server.host(), server.port());
+    return String.valueOf(printed).replaceAll("\\d+ms", "Nms").lines().toList();
   }
 
   @ParameterizedTest

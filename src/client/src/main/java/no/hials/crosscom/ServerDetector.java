@@ -97,7 +97,7 @@ final class ServerDetector {
    * Returns the next question to ask.
    *
    * <p>A failure does not show the type: old KUKAVARPROXYs always fail, and C3 Bridge may fail
-   * once; but only C3 Bridge knows message 14 (docs/reference/servers.md).
+   * once; but only C3 Bridge knows message 14 (docs/reference/servers.md#abilities-of-each-server).
    *
    * @param withVersion whether the version is needed too
    * @return null if all is known
@@ -136,7 +136,8 @@ final class ServerDetector {
             question.phrase,
             answer.code(),
             "; it also failed to answer @PROXY_TYPE, so that its type is unknown: set it in"
-                + " ClientConfig (server), or for jopenshowvar in config.toml (server of the robot)");
+                + " ClientConfig (server), or for jopenshowvar in config.toml (server of the"
+                + " robot)");
       }
     } else if (!answer.success()) {
       typeUnclear = true;

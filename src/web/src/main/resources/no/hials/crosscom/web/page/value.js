@@ -28,7 +28,7 @@ function scalarText(type, value) {
   return type === 'REAL' && Number.isInteger(value) ? `${value}.0` : String(value);
 }
 
-/** Returns a number with its unit, never -0; a dash for what is no number. */
+/** Returns a number with its unit, never -0; a dash for anything else. */
 export function numberText(value, digits, unit = '') {
   if (!Number.isFinite(value)) {
     return '–';

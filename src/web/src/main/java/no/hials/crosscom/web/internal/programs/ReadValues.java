@@ -59,7 +59,7 @@ final class ReadValues {
     return outcome == null || lost != null ? "not read" : outcome.error();
   }
 
-  /** Returns a value as a number; NaN if it is none. */
+  /** Returns a value as a number; NaN for another type. */
   static double number(KrlValue value) {
     try {
       return value.asDouble();

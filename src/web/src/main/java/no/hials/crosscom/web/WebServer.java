@@ -146,7 +146,7 @@ public final class WebServer implements AutoCloseable {
     ShapeFiles shapes = new ShapeFiles(config.shapes());
     pages.add("/shapes/", shapes);
     new ModelCommands(robots, shapes).addTo(commands);
-    new TeachCommands(robots, audit).addTo(commands);
+    new TeachCommands(robots, audit, sockets).addTo(commands);
     RecordingCommands recordings = new RecordingCommands(config.folder(), robots, audit, sockets);
     parts.add(recordings);
     pages.add("/recordings/", recordings.files());

@@ -134,6 +134,29 @@ class TeachTest {
   }
 
   @Test
+  void aChangeIsShownToOtherPagesAndLeavesWhatTheyHaveChanged() throws Exception {
+    unlock();
+    try (TestSocket other = pages.open(Role.OPERATE)) {
+      other.call("teach", "robot", "'mock'");
+      assertThat(set("teach-faults", "latency_ms", "20").has("ok")).isTrue();
+      JsonNode seen = other.awaitEvent("teach");
+      assertThat(seen.path("robot").asText()).isEqualTo("mock");
+      assertThat(seen.path("latency_ms").asInt()).isEqualTo(20);
+
+      other.call("teach-faults", "robot", "'mock'", "lost_percent", "4", "confirmed", "true");
+      other.call("teach-stop", "robot", "'mock'", "pressed", "true", "confirmed", "true");
+
+      socket.await(
+          it ->
+              it.path("event").asText().equals("teach")
+                  && it.path("emergency_stop").asBoolean()
+                  && it.path("lost_percent").asInt() == 4
+                  && it.path("latency_ms").asInt() == 20
+                  && !it.path("silent").asBoolean(true));
+    }
+  }
+
+  @Test
   void oddFaultsAreRefused() throws Exception {
     unlock();
     assertThat(set("teach-fault", "kind", "'explode'").path("error").asText())

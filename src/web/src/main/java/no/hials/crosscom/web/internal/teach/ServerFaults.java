@@ -3,6 +3,7 @@ package no.hials.crosscom.web.internal.teach;
 import java.time.Duration;
 import java.util.Optional;
 import java.util.Random;
+import java.util.function.UnaryOperator;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -33,8 +34,8 @@ final class ServerFaults {
     return settings;
   }
 
-  synchronized void set(Settings value) {
-    settings = value;
+  synchronized void set(UnaryOperator<Settings> change) {
+    settings = change.apply(settings);
   }
 
   private synchronized Optional<Fault> choose(RecordedRequest request) {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
@@ -18,6 +20,9 @@ import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
+import no.hials.crosscom.web.internal.socket.Json;
+import no.hials.crosscom.web.internal.socket.Sockets;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Changes a simulated robot as a person at its cabinet does, and its server as a bad network does;
@@ -31,10 +36,12 @@ public final class TeachCommands {
 
   private final RobotSessions robots;
   private final Changes changes;
+  private final Sockets sockets;
   private final Map<RobotSession, Bench> benches = new ConcurrentHashMap<>();
 
-  public TeachCommands(RobotSessions robots, AuditLog audit) {
+  public TeachCommands(RobotSessions robots, AuditLog audit, Sockets sockets) {
     this.robots = robots;
+    this.sockets = sockets;
     this.changes = new Changes(audit);
   }
 
@@ -47,6 +54,14 @@ public final class TeachCommands {
     Bench(MockServer server) {
       controller = server.controller();
       faults = new ServerFaults(server);
+    }
+
+    void show(ObjectNode json) {
+      ServerFaults.Settings settings = faults.settings();
+      json.put("emergency_stop", emergencyStop);
+      json.put("latency_ms", settings.latencyMillis());
+      json.put("lost_percent", settings.lostPercent());
+      json.put("silent", settings.silent());
     }
   }
 
@@ -86,16 +101,11 @@ public final class TeachCommands {
   private void show(Call call, ObjectNode answer) throws CommandException {
     answer.put("simulated", robots.of(call).simulation().isPresent());
     if (robots.of(call).simulation().isPresent()) {
-      Bench bench = bench(call);
-      ServerFaults.Settings faults = bench.faults.settings();
-      answer.put("emergency_stop", bench.emergencyStop);
-      answer.put("latency_ms", faults.latencyMillis());
-      answer.put("lost_percent", faults.lostPercent());
-      answer.put("silent", faults.silent());
+      bench(call).show(answer);
     }
   }
 
-  /** Makes a change that is allowed, and writes it into the audit log. */
+  /** Makes a change that is allowed, shows it to all, and writes it into the audit log. */
   private void change(Call call, String name, String value, Change change) throws IOException {
     Bench bench = bench(call);
     RobotSession robot = robots.of(call);
@@ -108,6 +118,12 @@ public final class TeachCommands {
         () -> {
           robot.lock().check(call, "set " + name);
           change.apply(bench);
+          synchronized (bench) { // the newest state is sent last
+            ObjectNode event = Json.event("teach").put("robot", robot.name());
+            event.put("simulated", true);
+            bench.show(event);
+            sockets.broadcast("teach/" + robot.name(), event);
+          }
         });
   }
 
@@ -136,12 +152,31 @@ public final class TeachCommands {
   }
 
   private void setFaults(Call call, ObjectNode answer) throws IOException {
-    ServerFaults.Settings settings =
-        new ServerFaults.Settings(
-            (int) call.number("latency_ms", 0, MAX_LATENCY_MILLIS),
-            (int) call.number("lost_percent", 0, 100),
-            call.flag("silent"));
-    change(call, "faults", settings.toString(), bench -> bench.faults.set(settings));
+    Integer latency = optionalNumber(call, "latency_ms", MAX_LATENCY_MILLIS);
+    Integer lost = optionalNumber(call, "lost_percent", 100);
+    Boolean silent = call.message().has("silent") ? call.flag("silent") : null;
+    String text =
+        Stream.of("latency_ms", "lost_percent", "silent")
+            .filter(call.message()::has)
+            .map(field -> field + " " + call.message().get(field).asText())
+            .collect(Collectors.joining(", "));
+    change(
+        call,
+        "faults",
+        text,
+        bench ->
+            bench.faults.set(
+                old ->
+                    new ServerFaults.Settings(
+                        latency == null ? old.latencyMillis() : latency,
+                        lost == null ? old.lostPercent() : lost,
+                        silent == null ? old.silent() : silent)));
+  }
+
+  /** Returns a number from 0; null if the message does not have it. */
+  private static @Nullable Integer optionalNumber(Call call, String field, int max)
+      throws CommandException {
+    return call.message().has(field) ? Integer.valueOf((int) call.number(field, 0, max)) : null;
   }
 
   private void faultOnce(Call call, ObjectNode answer) throws IOException {
@@ -165,7 +200,7 @@ public final class TeachCommands {
         program,
         bench -> {
           Controller controller = bench.controller;
-          bench.faults.set(ServerFaults.Settings.NONE);
+          bench.faults.set(old -> ServerFaults.Settings.NONE);
           controller.emergencyStop(false);
           bench.emergencyStop = false;
           controller.robot().cancel();

@@ -3,8 +3,8 @@
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
-import { call } from '../socket.js';
-import { header, mayWrite, note, state, useRobot, useSharedState, writeHint } from '../state.js';
+import { call, onEvent } from '../socket.js';
+import { header, mayWrite, note, useRobot, useSharedState, writeHint } from '../state.js';
 import { View as Robot } from './robot.js';
 
 const MODES = { T1: '#T1', T2: '#T2', AUT: '#AUT', EXT: '#EX' };
@@ -44,8 +44,9 @@ function useChange() {
 function useBench() {
   const [bench, setBench] = useState(null);
   const { socket } = useSharedState();
+  const robot = useRobot();
   const ask = () =>
-    call('teach', { robot: state.robot })
+    call('teach', { robot })
       .then(setBench)
       .catch((e) => note('error', e.message));
   useEffect(() => {
@@ -53,6 +54,8 @@ function useBench() {
       ask();
     }
   }, [socket]);
+  // other pages change it, too
+  useEffect(() => onEvent('teach', (event) => event.robot === robot && setBench(event)), []);
   return [bench, ask];
 }
 
@@ -99,8 +102,7 @@ function EmergencyStop({ bench, onChange }) {
 function Faults({ bench, onChange }) {
   const change = useChange();
   const set = async (changes) => {
-    const { latency_ms, lost_percent, silent } = { ...bench, ...changes };
-    await change('teach-faults', { latency_ms, lost_percent, silent });
+    await change('teach-faults', changes);
     onChange();
   };
   const slider = (label, name, most, unit) =>

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The page with a robot that answers late, or with values of other types. */
 @ExtendWith(WithBrowser.class)
@@ -134,8 +135,8 @@ class OddRobotBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
-  @Test
-  void aViewThatIsLeftWritesNothingMore(Browser browser) throws Exception {
+  /** Opens the sliders of MYPOS. */
+  private void openSliders(Browser browser) throws Exception {
     open(browser, ServerType.C3_BRIDGE, "teach");
     browser.click(".lock");
     browser.await("document.querySelector('.lock[aria-pressed=true]')");
@@ -143,31 +144,51 @@ class OddRobotBrowserIT {
     browser.run(
         "[...document.querySelectorAll('button')].find((it) => it.textContent.startsWith('MYPOS'))"
             + ".click()");
-    browser.await("document.querySelector('.increments input')");
-    pages.controller().fault(OddRobotBrowserIT::isIncrement, Fault.hold(released));
-
-    for (double value : new double[] {-1, -2}) {
-      browser.run(
-          "const slider = document.querySelector('.increments input'); slider.value = arguments[0];"
-              + " slider.dispatchEvent(new Event('input'))",
-          value);
-    }
-    awaitIncrement();
-    browser.run("location.hash = '#/programs'");
-    browser.await("document.querySelector('.programs')");
-    released.countDown();
-    long after = pages.controller().requestCount() + 50;
-    while (pages.controller().requestCount() < after) {
-      Thread.onSpinWait();
-    }
-
-    assertThat(pages.controller().requests()).filteredOn(OddRobotBrowserIT::isIncrement).hasSize(1);
+    browser.await("document.querySelector('.increments input:not(:disabled)')");
   }
 
-  private void awaitIncrement() {
-    while (pages.controller().requests().stream().noneMatch(OddRobotBrowserIT::isIncrement)) {
+  @Test
+  void aSliderShowsWhatIsOnTheController(Browser browser) throws Exception {
+    openSliders(browser);
+
+    pages.controller().variables().set("MYPOS.Y", "2.5");
+
+    awaitText(browser, ".increments label:nth-of-type(2) output", "2.50 mm");
+    browser.await("document.querySelectorAll('.increments input')[1].value === '2.5'");
+    answer("MYPOS", "{E6POS: X \"x\"}");
+    browser.await("document.querySelector('.increments input').disabled");
+    awaitText(browser, ".increments output", "–");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"#/teach", "#/programs"})
+  void theNewestValueIsWrittenAfterAFailureAndAfterTheView(String next, Browser browser)
+      throws Exception {
+    openSliders(browser);
+    pages
+        .controller()
+        .fault(it -> isIncrement(it) && "-1.000".equals(incrementX(it)), Fault.drop());
+
+    browser.run(
+        "const slider = document.querySelector('.increments input'); slider.value = -1;"
+            + " slider.dispatchEvent(new Event('input'));"
+            + " document.querySelector('.increments button.main').click();"
+            + " location.hash = arguments[0]",
+        next);
+
+    awaitText(browser, ".note.error", "the outcome is unknown");
+    while (pages.controller().requests().stream().filter(OddRobotBrowserIT::isIncrement).count()
+        < 2) {
       Thread.onSpinWait();
     }
+    assertThat(pages.controller().requests())
+        .filteredOn(OddRobotBrowserIT::isIncrement)
+        .extracting(OddRobotBrowserIT::incrementX)
+        .containsExactly("-1.000", "0.000");
+  }
+
+  private static String incrementX(RecordedRequest request) {
+    return String.valueOf(request.value()).replaceAll(".*X (-?[0-9.]+).*", "$1");
   }
 
   private static boolean isIncrement(RecordedRequest request) {

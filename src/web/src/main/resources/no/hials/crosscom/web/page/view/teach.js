@@ -3,8 +3,10 @@
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { useReadings } from '../readings.js';
 import { call, onEvent } from '../socket.js';
-import { header, mayWrite, note, useRobot, useSharedState, writeHint } from '../state.js';
+import { header, isStale, mayWrite, note, serverTime, useRobot, useSharedState, writeHint } from '../state.js';
+import { numberText } from '../value.js';
 import { View as Robot } from './robot.js';
 
 const MODES = { T1: '#T1', T2: '#T2', AUT: '#AUT', EXT: '#EX' };
@@ -26,6 +28,7 @@ const PROGRAMS = {
 };
 const STEPS = 50; // of a slider, to each side
 const WRITE_PERIOD = 100; // ms
+const READ_PERIOD = 250; // ms
 
 /** Returns a function that sends a change to the robot of the view and shows why it was refused. */
 function useChange() {
@@ -61,7 +64,8 @@ function useBench() {
 
 function Mode() {
   const change = useChange();
-  const mode = header().mode;
+  const one = header();
+  const mode = isStale(one) ? null : one.mode;
   return h(
     'fieldset',
     { class: 'panel mode-key', disabled: !mayWrite() },
@@ -145,52 +149,54 @@ function Faults({ bench, onChange }) {
   );
 }
 
-/** Writes the newest value of the sliders, one write at a time; nothing after the view has gone. */
-function useWriter(variable) {
+/**
+ * Writes the newest value of the sliders, one write at a time; also when a write has failed or the
+ * view has gone, since the last one may be the one that stops the robot.
+ *
+ * @param onDone called when all is written, or could not be
+ */
+function useWriter(variable, onDone) {
   const change = useChange();
-  const writer = useRef({ next: null, busy: false, gone: false });
-  useEffect(
-    () => () => {
-      writer.current.gone = true;
-    },
-    [],
-  );
-  return (value) => {
+  const writer = useRef({ next: null, busy: false });
+  return async (value) => {
     const own = writer.current;
     own.next = value;
-    const send = async () => {
-      if (own.next === null || own.gone) {
-        own.busy = false;
-        return;
-      }
-      const value = own.next;
-      own.next = null;
-      if (!(await change('write', { name: variable, value }))) {
-        own.next = null;
-      }
-      setTimeout(send, WRITE_PERIOD);
-    };
-    if (!own.busy) {
-      own.busy = true;
-      send();
+    if (own.busy) {
+      return;
     }
+    own.busy = true;
+    while (own.next !== null) {
+      const newest = own.next;
+      own.next = null;
+      await change('write', { name: variable, value: newest });
+      await new Promise((resolve) => setTimeout(resolve, WRITE_PERIOD));
+    }
+    own.busy = false;
+    onDone();
   };
 }
 
 /** Sliders for the increment that the running program adds again and again. */
 function Increments({ program }) {
   const { variable, fields, units, most } = PROGRAMS[program];
-  const zeros = fields.map(() => 0);
-  const [values, setValues] = useState(zeros);
-  const write = useWriter(variable);
+  const [readings, stale] = useReadings('teach', [variable], READ_PERIOD);
+  const [wanted, setWanted] = useState(null); // what is shown until it can be read back
+  const written = useRef(Infinity);
+  const write = useWriter(variable, () => (written.current = serverTime()));
+  const reading = readings[variable];
+  const isBack = reading?.time > written.current;
+  const values = wanted && !isBack ? wanted : fields.map((name) => reading?.value?.[name]);
+  const known = values.every(Number.isFinite);
   const set = (next) => {
-    setValues(next);
+    written.current = Infinity;
+    setWanted(next);
     write(`{${fields.map((name, i) => `${name} ${next[i].toFixed(3)}`).join(',')}}`);
   };
   return h(
     'fieldset',
-    { class: 'panel increments', disabled: !mayWrite() },
+    { class: `panel increments ${stale ? 'stale' : ''}`, disabled: !mayWrite() },
     h('legend', null, variable),
+    reading?.error && h('p', { class: 'failure' }, reading.error),
     fields.map((name, i) =>
       h(
         'label',
@@ -201,14 +207,19 @@ function Increments({ program }) {
           min: -most[i],
           max: most[i],
           step: most[i] / STEPS,
-          value: values[i],
+          value: known ? values[i] : 0,
+          disabled: !known,
           'aria-label': `${variable}.${name} in ${units[i]} per step`,
           onInput: (event) => set(values.with(i, Number(event.target.value))),
         }),
-        h('output', null, `${values[i].toFixed(2)} ${units[i]}`),
+        h('output', { class: 'reading' }, numberText(values[i], 2, units[i])),
       ),
     ),
-    h('div', { class: 'buttons' }, h('button', { class: 'main', onClick: () => set(zeros) }, 'All to 0')),
+    h(
+      'div',
+      { class: 'buttons' },
+      h('button', { class: 'main', onClick: () => set(fields.map(() => 0)) }, 'All to 0'),
+    ),
     h(
       'p',
       { class: 'hint' },

@@ -55,7 +55,10 @@ public final class Archive {
         new ArchiveLayout(
             all.stream().filter(f -> f.refusal() == null).map(ArchivedFile::path).toList());
     for (ArchivedFile file : all) {
-      String refusal = layout.isOutside(file) ? OUTSIDE : file.refusal();
+      String refusal = file.refusal();
+      if (refusal == null && layout.isOutside(file)) {
+        refusal = OUTSIDE;
+      }
       if (refusal != null) {
         refuse(file, refusal);
         continue;

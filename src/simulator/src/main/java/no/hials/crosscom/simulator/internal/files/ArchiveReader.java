@@ -226,7 +226,10 @@ public final class ArchiveReader {
 
   private ArchivedFile read(Source source) {
     if (!isInside(source.path())) {
-      return refused(source, "the path leads out of the archive");
+      return refused(
+          source,
+          "the path of a file in a zip is relative and has no .., is "
+              + PrintableText.of(source.path()));
     }
     if (left == 0) {
       return refused(source, "the archive is too large");

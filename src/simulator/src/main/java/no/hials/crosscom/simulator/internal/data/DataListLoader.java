@@ -59,6 +59,9 @@ public final class DataListLoader {
   /** How often types are gone through, each time for those that need the types before. */
   private static final int MAX_TYPE_ROUNDS = 64;
 
+  /** The number of structures in which one is looked for that contains itself. */
+  private static final int MAX_SEEN = 64;
+
   private final DataList list;
   private final boolean isSystem;
   private final Scope module;
@@ -70,6 +73,9 @@ public final class DataListLoader {
   private final Map<String, Scope> variables = new HashMap<>();
 
   private final Set<String> types = new HashSet<>();
+
+  /** The structures of the list by their names, once they are needed. */
+  private final Map<String, Declaration.StrucDeclaration> structures = new HashMap<>();
 
   /** The names whose declaration is wrong; errors that follow from it are not reported. */
   private final Set<String> broken = new HashSet<>();
@@ -239,7 +245,7 @@ public final class DataListLoader {
     List<Type.Component> components = new ArrayList<>();
     boolean whole = true;
     for (Declaration.Component component : declaration.components()) {
-      whole &= tell(() -> components.add(component(target, component)));
+      whole &= tell(() -> components.add(component(target, declaration.name(), component)));
     }
     if (!whole) {
       brokenTypes.add(Scope.key(declaration.name()));
@@ -252,10 +258,57 @@ public final class DataListLoader {
         () -> Declarations.declare(target, declaration, components));
   }
 
-  private Type.Component component(Scope target, Declaration.Component component)
+  private Type.Component component(Scope target, String struc, Declaration.Component component)
       throws KrlErrorException {
-    checkType(target, component.type(), component.declarator().position());
+    Position position = component.declarator().position();
+    if (!target.knowsType(component.type())) {
+      String cycle = contents(component.type(), Scope.key(struc), new HashSet<>());
+      if (cycle != null) {
+        throw new KrlErrorException(
+            position,
+            "a structure cannot contain itself, "
+                + struc
+                + " contains "
+                + component.type()
+                + cycle);
+      }
+    }
+    checkType(target, component.type(), position);
     return Declarations.component(module, component);
+  }
+
+  /**
+   * Returns how a structure of this list contains another one, such as {@code ", B contains A"}.
+   *
+   * @param seen the structures that do not
+   * @return empty if both are the same; null if it does not contain the other one
+   */
+  private @Nullable String contents(String struc, String wanted, Set<String> seen) {
+    if (Scope.key(struc).equals(wanted)) {
+      return "";
+    }
+    Declaration.StrucDeclaration declaration = structures().get(Scope.key(struc));
+    if (declaration == null || seen.size() == MAX_SEEN || !seen.add(Scope.key(struc))) {
+      return null;
+    }
+    for (Declaration.Component component : declaration.components()) {
+      String rest = contents(component.type(), wanted, seen);
+      if (rest != null) {
+        return ", " + struc + " contains " + component.type() + rest;
+      }
+    }
+    return null;
+  }
+
+  private Map<String, Declaration.StrucDeclaration> structures() {
+    if (structures.isEmpty()) {
+      for (Declaration declaration : list.declarations()) {
+        if (declaration instanceof Declaration.StrucDeclaration struc) {
+          structures.putIfAbsent(Scope.key(struc.name()), struc);
+        }
+      }
+    }
+    return structures;
   }
 
   private static void checkType(Scope scope, String name, Position position)

@@ -20,6 +20,7 @@ import org.junit.jupiter.api.Nested;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The declarations of data lists, their scope, and their errors. */
@@ -46,6 +47,27 @@ class DataListLoaderTest {
     DataListLoader.load(
         (DataList) result.file().orElseThrow(), module, globals, LoadingMode.STRICT, errors::add);
     return errors.stream().map(KrlError::toString).toList();
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void namesTheStructuresThatContainEachOther(LoadingMode mode) {
+    String text =
+        "DEFDAT X\nSTRUC A INT I,B OTHER\nSTRUC B C NEXT\nSTRUC C a BACK\nDECL A V\nENDDAT";
+    List<String> errors = new ArrayList<>();
+    DataListLoader.load(
+        (DataList) KrlParser.parse("x", text).file().orElseThrow(),
+        module,
+        globals,
+        mode,
+        error -> errors.add(error.toString()));
+
+    String rule = "a structure cannot contain itself, ";
+    assertThat(errors)
+        .containsExactlyInAnyOrder(
+            "x:2:17: " + rule + "A contains B, B contains C, C contains a",
+            "x:3:11: " + rule + "B contains C, C contains a, a contains B",
+            "x:4:11: " + rule + "C contains a, a contains B, B contains C");
   }
 
   @ParameterizedTest
@@ -322,6 +344,7 @@ class DataListLoaderTest {
           "DECL MODE E=1|2:13|E: needs MODE, was given 1",
           "CHAR C=\"ab\"|2:8|C: needs one character, was given \"ab\"",
           "CHAR C[2]=\"abc\"|2:11|C: holds 2 characters, was given 3",
+          "STRUC A INT I,A SELF|2:17|a structure cannot contain itself, A contains A",
           "DECL NOTYPE N|2:1|a type is declared before it is used, type NOTYPE is not declared",
           "INT A[0]|2:7|the length of a dimension is 1 or more, is 0",
           "INT A[-2]|2:7|the length of a dimension is 1 or more, is -2",

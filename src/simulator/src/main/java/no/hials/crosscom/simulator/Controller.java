@@ -477,8 +477,8 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
-   * Returns the targets of the motions that have started in the last cycle, in their order. A short
-   * motion can start and end within a cycle.
+   * Returns the targets of the motions that have started in the last cycle, in their order; of a
+   * spline block all points. A short motion can start and end within a cycle.
    *
    * @return the targets; empty if no motion has started
    */

@@ -6,11 +6,15 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.Frame;
+import no.hials.crosscom.protocol.value.KrlReal;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Spline motions as programs write them, sampled after every cycle. */
 class SplineProgramTest {
@@ -280,6 +284,34 @@ class SplineProgramTest {
         .isEqualTo("3171 test.src:4:1: two points of the block are identical");
     assertThat(cell.controller.messages().get(0).kind()).isEqualTo(Message.Kind.NOTIFICATION);
     assertThat(nearest(-20, 80, 0)).isLessThan(1e-6);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '"',
+      value = {
+        "SPLINE | SPL %1$s; SLIN %2$s; SPL %2$s; SCIRC %3$s, %4$s | 40 60 60 90",
+        "PTP_SPLINE | SPTP %1$s; SPTP %2$s; SPTP %2$s; SPTP %4$s | 40 60 60 90",
+        "SPLINE | SPL %5$s; SPL %5$s | 0 0",
+      })
+  void theTargetsOfABlockAreItsPoints(String block, String segments, String y) throws Exception {
+    String path =
+        segments.formatted(
+            point(0, 40, 0), point(0, 60, 9), point(0, 80, 20), point(9, 90, 20), point(0, 0, 0));
+    cell.start("$VEL.CP=0.1\n" + block + "\n" + path.replace(";", "\n") + "\nENDSPLINE");
+    List<Double> targets = new ArrayList<>();
+    cell.until(
+        () -> {
+          for (MotionTarget target : cell.controller.startedMotions()) {
+            KrlReal at = (KrlReal) target.position().get("Y").orElseThrow();
+            targets.add((double) Math.round(at.value() - START.y()));
+          }
+          return cell.controller.robot().state() != ProgramState.ACTIVE;
+        });
+
+    assertThat(targets)
+        .containsExactlyElementsOf(Stream.of(y.split(" ")).map(Double::valueOf).toList());
   }
 
   @Test

@@ -40,6 +40,7 @@ import picocli.CommandLine.Parameters;
       "",
       "The output is CSV. Each motion is a row: the time of its start in seconds, its target in"
           + " $BASE, in mm and degrees, and the axes there, with the external axes that exist."
+          + " A spline block has a row for each point, with the time of the start of the block."
           + " With --period a row is a position instead.",
       "",
       "Exit code 1 if the program does not reach its end; stderr has the messages.",

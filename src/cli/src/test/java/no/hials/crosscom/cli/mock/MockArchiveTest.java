@@ -272,6 +272,29 @@ class MockArchiveTest {
   }
 
   @Test
+  void runPrintsEachPointOfASplineBlock() throws Exception {
+    Path program =
+        Files.writeString(
+            dir.resolve("block.src"),
+            """
+            DEF BLOCK( )
+            PTP {A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0}
+            PTP_SPLINE
+            SPTP {A1 10}
+            SPTP {A1 20,A2 -80}
+            SPTP {A1 30,A2 -90}
+            ENDSPLINE
+            END
+            """);
+
+    Cli.Result result = Cli.run("krl", "run", program.toString());
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.lines().stream().skip(2).map(row -> row.split(",", -1)[7]))
+        .containsExactly("10.0000", "20.0000", "30.0000");
+  }
+
+  @Test
   void runEndsWithOneIfTheProgramStops() throws Exception {
     Path program = Files.writeString(dir.resolve("stops.src"), "DEF STOPS( )\nNOWHERE()\nEND\n");
 

@@ -56,8 +56,10 @@ final class AdvanceRun {
 
     /**
      * Called when a motion starts, or the blend into it, with its base in the world and its tool.
+     *
+     * @param points its end; of a block all points
      */
-    void started(Joints to, Frame base, Frame tool);
+    void started(List<Joints> points, Frame base, Frame tool);
 
     /**
      * Called when another motion is that of the main run, with its base in the world and its tool.
@@ -122,8 +124,8 @@ final class AdvanceRun {
   /** The statements of motions that were handed over and have not ended, by the motion's number. */
   private Map<Long, MotionOrder> orders = new HashMap<>();
 
-  /** A motion that was planned: its base in the world, and its end. */
-  private record Planned(Frame base, Joints end) {}
+  /** A motion that was planned: its base in the world, and its points. */
+  private record Planned(Frame base, List<Joints> points) {}
 
   /** The motions that have not ended; also discarded ones, while the robot brakes. */
   private final Map<Long, Planned> plans = new HashMap<>();
@@ -268,7 +270,7 @@ final class AdvanceRun {
                     pointPosition(order, point) + ": two points of the block are identical"));
     before = order;
     resolver.startAt(interpolator.plannedEnd());
-    plans.put(planned.id(), new Planned(resolver.base(), interpolator.plannedEnd()));
+    plans.put(planned.id(), new Planned(resolver.base(), interpolator.lastPoints()));
     return planned;
   }
 
@@ -431,7 +433,7 @@ final class AdvanceRun {
 
   private void started(MotionCommand motion) {
     Planned plan = plan(motion);
-    listener.started(plan.end(), plan.base(), motion.tool());
+    listener.started(plan.points(), plan.base(), motion.tool());
     if (interpolator.current().isEmpty()) {
       show(motion); // it has ended in the same cycle
     }
@@ -445,7 +447,8 @@ final class AdvanceRun {
   }
 
   private Planned plan(MotionCommand motion) {
-    return plans.getOrDefault(motion.id(), new Planned(resolver.base(), interpolator.currentEnd()));
+    return plans.getOrDefault(
+        motion.id(), new Planned(resolver.base(), List.of(interpolator.currentEnd())));
   }
 
   private void passed(MotionCommand motion) {

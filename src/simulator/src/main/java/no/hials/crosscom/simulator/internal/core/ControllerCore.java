@@ -607,8 +607,8 @@ public final class ControllerCore {
     }
 
     @Override
-    public void started(Joints to, Frame base, Frame tool) {
-      started.add(variables.target(to, base, tool));
+    public void started(List<Joints> points, Frame base, Frame tool) {
+      points.forEach(point -> started.add(variables.target(point, base, tool)));
     }
 
     @Override

@@ -301,6 +301,12 @@ public final class Interpolator {
     return curve == null ? List.of() : curve.identical();
   }
 
+  /** Returns the points of the motion that was added last: of a block all, else its end. */
+  public List<Joints> lastPoints() {
+    PathSegment last = path().last();
+    return last == null ? List.of(plannedEnd) : last.points();
+  }
+
   /** Returns the number of motions that have not started, which {@code $ADVANCE} limits. */
   public int planned() {
     return planned.size();

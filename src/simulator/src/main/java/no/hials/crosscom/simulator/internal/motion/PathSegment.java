@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.motion;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
@@ -80,6 +82,35 @@ record PathSegment(
   Joints end() {
     double last = path instanceof JointPath.OfTcp tcp ? tcp.sampler().lastParameter() : 1;
     return new Joints(path.end(), travel.at(last));
+  }
+
+  /**
+   * Returns the points that the robot reaches: of a block the end of each segment, else its end.
+   */
+  List<Joints> points() {
+    List<Joints> points = new ArrayList<>();
+    double last = limits.parameters()[limits.parameters().length - 1];
+    try {
+      for (int point = 1; point < motionPoints(); point++) {
+        double position = path.parameter(point);
+        if (position < last) {
+          points.add(new Joints(path.at(position), travel.at(position)));
+        } else if (problem == null) {
+          points.add(end()); // as the last point
+        }
+      }
+    } catch (MotionRefusedException e) {
+      // the path ends there
+    }
+    points.add(end());
+    return points;
+  }
+
+  private int motionPoints() {
+    if (motion instanceof MotionCommand.Spline spline) {
+      return spline.segments().size();
+    }
+    return motion instanceof MotionCommand.AxisSpline spline ? spline.segments().size() : 1;
   }
 
   Axis near(double time) {

@@ -84,7 +84,7 @@ class AdvanceRunTest {
     public void noticed(int number, String text) {}
 
     @Override
-    public void started(Joints to, Frame base, Frame tool) {
+    public void started(List<Joints> points, Frame base, Frame tool) {
       started++;
     }
 

@@ -34,15 +34,11 @@ final class ExternalAxesTest {
   @BeforeEach
   void createTheUnit() {
     VariableTable table = VariableTable.krc4();
-    table.declareEnum("ESYS", "NONE", "ERSYS", "EASYS");
-    table.declareEnum("EAX", "NONE", "E1", "E2");
-    table.declareStruc("EX_KIN", "ESYS ET1; ESYS ET2");
-    table.declareStruc("ET_AX", "EAX TR_A1; EAX TR_A2; EAX TR_A3");
-    table.declare("$EX_KIN", "EX_KIN", "{ET1 #ERSYS,ET2 #NONE}");
-    table.declare("$ET1_AX", "ET_AX", "{TR_A1 #E1,TR_A2 #NONE,TR_A3 #NONE}");
+    table.set("$EX_KIN", "{ET1 #ERSYS}");
+    table.set("$ET1_AX", "{TR_A1 #E1,TR_A2 #NONE,TR_A3 #NONE}");
     // Z of its frame is X of the world, and the robot stands upright
-    table.declare("$ET1_TA1KR", "FRAME", "{X 0,Y 0,Z 500,A 0,B 90,C 0}");
-    table.declare("$ET1_TFLA3", "FRAME", "{X 0,Y 0,Z 0,A 0,B -90,C 0}");
+    table.set("$ET1_TA1KR", "{X 0,Y 0,Z 500,A 0,B 90,C 0}");
+    table.set("$ET1_TFLA3", "{X 0,Y 0,Z 0,A 0,B -90,C 0}");
     table.set("$EX_AX_NUM", "2");
     axis(table, 7, 1, -500, 3000, 18);
     axis(table, 8, 3, -90, 90, 180);
@@ -373,6 +369,30 @@ final class ExternalAxesTest {
     cell.run("PTP {E2 720}");
 
     assertThat(now().e2()).isEqualTo(720);
+  }
+
+  @Test
+  void theMachineDataOfAUnitAreKnown() {
+    Controller controller = Cell.stepped(VariableTable.krc4());
+    LoadReport report =
+        controller.load(
+            "$MACHINE.DAT",
+            """
+            DEFDAT $MACHINE PUBLIC
+            $EX_AX_NUM=1
+            $ET1_TA1KR={X 0.0,Y 0.0,Z 500.0,A 0.0,B 90.0,C 0.0}
+            $ET1_TFLA3={X 0.0,Y 0.0,Z 0.0,A 0.0,B -90.0,C 0.0}
+            $EX_KIN={ET1 #ERSYS,ET2 #NONE,ET3 #NONE,ET4 #NONE,ET5 #NONE,ET6 #NONE}
+            $ET1_AX={TR_A1 #E1,TR_A2 #NONE,TR_A3 #NONE}
+            $ERSYSROOT={X 0.0,Y 100.0,Z 0.0,A 0.0,B 0.0,C 0.0}
+            $AXIS_TYPE[7]=1
+            ENDDAT
+            """,
+            LoadingMode.LENIENT);
+
+    assertThat(report.problems()).isEmpty();
+    assertThat(controller.variables().get("$ROBROOT_C.Y")).isEqualTo("100.000");
+    controller.close();
   }
 
   @Test

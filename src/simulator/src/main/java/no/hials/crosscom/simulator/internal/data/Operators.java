@@ -92,6 +92,14 @@ public final class Operators {
     return new KrlInt(~intOf(operand));
   }
 
+  /**
+   * Returns the whole number next to a REAL; 2.5 becomes 3, and -2.5 becomes -2
+   * (docs/reference/simulated-controller.md#assumed).
+   */
+  public static double nearest(double real) {
+    return Math.floor(real + 0.5);
+  }
+
   /** Returns an INT, and checks its range. */
   public static KrlInt integer(long result) throws KrlExecutionException {
     if (result != (int) result) {

@@ -65,8 +65,7 @@ final class ScalarStorage extends Storage {
     if (type != Type.Base.INT || !(newValue instanceof KrlReal number)) {
       return newValue;
     }
-    // assumed: to the nearest, halves upwards
-    double nearest = Math.floor(number.value() + 0.5);
+    double nearest = Operators.nearest(number.value());
     if (nearest != (int) nearest) {
       throw new RefusedException(Refusal.OUT_OF_RANGE, "an INT has 32 bits, was given " + number);
     }

@@ -172,7 +172,7 @@ final class Bas {
   }
 
   private static int number(KrlValue value) throws KrlExecutionException {
-    return (int) Math.rint(Operators.number(value));
+    return (int) Operators.nearest(Operators.number(value));
   }
 
   private void setAxes(String array, KrlValue percent) throws KrlExecutionException {

@@ -94,6 +94,7 @@ class BasTest {
     "'TOOL,2', $TOOL.X, 2.0",
     "'TOOL,0', $TOOL.X, 0.0",
     "'BASE,2', $BASE.X, 20.0",
+    "'BASE,0.5', $ACT_BASE, 1",
     "FRAMES, $ACT_BASE, 2",
     "FRAMES, $IPO_MODE, #TCP",
     "PTP_DAT, $ACC_AXIS[2], 60",

@@ -7,10 +7,14 @@ import java.nio.file.Path;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class VariablesTest {
   @TempDir private Path folder;
@@ -48,6 +52,40 @@ class VariablesTest {
       assertThat(check(socket, "$OV_PRO", "{X 1")).contains("$OV_PRO");
       assertThat(pages.controller().variables().get("$OV_PRO")).isEqualTo("100");
     }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"false, nothing was written", "true, the outcome is unknown"})
+  void aFailedWriteSaysWhetherItMayHaveBeenDone(boolean atWrite, String words) throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      pages
+          .controller()
+          .fault(it -> it.names().contains("$OV_JOG") && it.isWrite() == atWrite, Fault.drop());
+
+      assertThat(write(socket, "$OV_JOG", "50")).contains("; " + words);
+
+      assertThat(pages.controller().requests().stream().anyMatch(RecordedRequest::isWrite))
+          .isEqualTo(atWrite);
+    }
+  }
+
+  private static String write(TestSocket socket, String name, String value)
+      throws InterruptedException {
+    return socket
+        .call(
+            "write",
+            "robot",
+            "'mock'",
+            "name",
+            "'" + name + "'",
+            "value",
+            "'" + value + "'",
+            "confirmed",
+            "true")
+        .path("error")
+        .asText();
   }
 
   @Test

@@ -9,6 +9,8 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComValueException;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.ValueText;
@@ -176,10 +178,17 @@ public final class VariableCommands {
         name,
         value,
         oldValue -> {
-          checkValue(robot, name, value);
-          robot.lock().check(call, "write " + name);
-          oldValue.accept(valueBefore(robot, name));
-          WriteAnswer.check(name, value, robot.client().writeText(name, value));
+          try {
+            checkValue(robot, name, value);
+            robot.lock().check(call, "write " + name);
+            oldValue.accept(valueBefore(robot, name));
+            WriteAnswer.check(name, value, robot.client().writeText(name, value));
+          } catch (CrossComException e) {
+            if (e.isOutcomeUnknown() || e instanceof CrossComValueException) {
+              throw e; // its message tells what is known
+            }
+            throw new CommandException(e.getMessage() + "; nothing was written");
+          }
         });
     try {
       answer.put("text", robot.client().readText(name));

@@ -67,7 +67,7 @@ function variableOf(leaf) {
 }
 
 /** Plays a recording: a time in s since its start, which goes on by the clock. */
-export class Player {
+class Player {
   time = 0;
   speed = 1;
   playing = false;

@@ -2,12 +2,12 @@
 // track is {times, values, first, end}: arrays of numbers, of which [first, end) is in use; NaN is
 // a gap. Times are in s.
 
-export const MAX_SECONDS = 600;
+const MAX_SECONDS = 600;
 const SMALLEST = 1024;
 const LONGEST_SILENCE = 1; // s without a reading, which becomes a gap
 
 /** Calls a function with each number within a value: its name and the number. */
-export function eachNumber(name, value, visit) {
+function eachNumber(name, value, visit) {
   if (typeof value === 'number') {
     visit(name, value);
   } else if (typeof value === 'boolean') {

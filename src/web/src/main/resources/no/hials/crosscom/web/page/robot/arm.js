@@ -20,7 +20,7 @@ const COLOURS = { body: 0xf26a1b, joint: 0x3a3f47, steel: 0xb9c0c9, base: 0x454b
 const LIMIT_COLOURS = { free: 0x5b626d, near: 0xf0b429, at: 0xe5283d };
 
 /** The links of a robot; each moves with the group of its axis. */
-export const LINKS = ['base', 'a1', 'a2', 'a3', 'a4', 'a5', 'a6'];
+const LINKS = ['base', 'a1', 'a2', 'a3', 'a4', 'a5', 'a6'];
 
 /** Returns the parent's system turned and moved by a KRL frame, written into an object. */
 export function place(object, frame) {

@@ -14,6 +14,7 @@ import {
   note,
   useSharedState,
 } from './state.js';
+import { percentText } from './value.js';
 
 const MODES = { '#T1': 'T1', '#T2': 'T2', '#AUT': 'AUT', '#EX': 'EXT' };
 const PROGRAM_STATES = {
@@ -220,7 +221,7 @@ export function Header() {
       h(Item, { name: 'Mode', kind: `mode ${mode === 'T1' ? '' : 'warn'}` }, mode),
       h(Program, { name: 'Program', program: one.robot_program, programState: one.robot_state }),
       h(Program, { name: 'Submit', program: one.submit_program, programState: one.submit_state }),
-      h(Item, { name: 'Override' }, one.override == null ? '–' : `${one.override} %`),
+      h(Item, { name: 'Override' }, percentText(one.override)),
       h(
         Item,
         { name: 'Stop', kind: one.stop === 'TRUE' ? 'bad' : '' },

@@ -39,6 +39,11 @@ export function numberText(value, digits, unit = '') {
   return unit ? `${text} ${unit}` : text;
 }
 
+/** Returns the text of a number, as the header has it, in percent; a dash for anything else. */
+export function percentText(text) {
+  return text && Number.isFinite(Number(text)) ? `${text} %` : '–';
+}
+
 /** Shows a value; a structure becomes a small table of its fields. */
 export function Value({ reading }) {
   if (reading === undefined) {

@@ -125,6 +125,20 @@ class OddRobotBrowserIT {
   }
 
   @Test
+  void whatIsNoNumberIsShownAsUnknown(Browser browser) throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, "jog");
+    browser.await("document.querySelector('.pad .reading')?.textContent !== '–'");
+
+    answer("$POS_ACT", "{E6POS: X \"x\",Y 1E30,Z TRUE,A -0.001}");
+    answer("$OV_PRO", "\"abc\"");
+
+    browser.await(
+        "[...document.querySelectorAll('.pad .reading')].map((it) => it.textContent).join()"
+            + " === '–,1.00e+30 mm,–,0.00 °,–,–'");
+    browser.await("document.querySelector('.top').textContent.includes('Override–')");
+  }
+
+  @Test
   void axesThatAreNoNumbersAreNoPose(Browser browser) throws Exception {
     open(browser, ServerType.KUKAVARPROXY, "robot");
     browser.await("document.querySelector('.axes .reading')?.textContent !== '–'");

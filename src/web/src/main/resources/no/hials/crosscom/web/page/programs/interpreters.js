@@ -3,6 +3,7 @@
 import { h } from 'preact';
 import { call } from '../socket.js';
 import { header, mayWrite, note, useRobot, writeHint } from '../state.js';
+import { percentText } from '../value.js';
 
 const STATES = {
   '#P_FREE': 'no program selected',
@@ -47,7 +48,7 @@ function question(robotName, order, interpreter, program) {
       return {
         title: `Start ${name}?`,
         action: 'Start',
-        facts: robot ? [...facts, ['Override', `${header().override ?? '?'} %`]] : facts,
+        facts: robot ? [...facts, ['Override', percentText(header().override)]] : facts,
         warning: robot
           ? 'The robot will move. Nobody may be in its reach, except in T1 with the enabling switch.'
           : 'A submit program can switch outputs, which move grippers and other machines.',

@@ -92,6 +92,29 @@ class ViewsBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  @Test
+  void theBadgeIsNotUnderTheButtonsOfASmallPhone(Browser browser) throws IOException {
+    browser.size(Browser.Size.SMALL_PHONE);
+    open(browser, c3, "jog");
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock[aria-pressed=true]')");
+
+    browser.picture("badge-SMALL_PHONE");
+    assertThat(
+            (Boolean)
+                browser.run(
+                    """
+                    const badge = document.querySelector('.badge');
+                    const box = badge.getBoundingClientRect();
+                    return badge.scrollWidth <= badge.clientWidth
+                      && [...document.querySelectorAll('.actions > *')].every((it) =>
+                        it.getBoundingClientRect().left >= box.right);
+                    """))
+        .isTrue();
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock[aria-pressed=false]')");
+  }
+
   /** It names what this server cannot do. */
   @ParameterizedTest
   @MethodSource("views")

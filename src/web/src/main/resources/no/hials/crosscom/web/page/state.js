@@ -108,6 +108,20 @@ export function isStale(one) {
   );
 }
 
+/** Returns why the values of a header may no longer be true, as a sentence; empty if they are. */
+export function staleReason(one) {
+  if (!isStale(one)) {
+    return '';
+  }
+  if (state.socket !== 'open') {
+    return 'There is no connection to the server of this page.';
+  }
+  if (one.reason) {
+    return `The robot does not answer: ${one.reason}.`;
+  }
+  return one.time === undefined ? 'The robot has not answered yet.' : 'The robot does not answer.';
+}
+
 const ages = new Set();
 
 /** Renders the component again as soon as a function of the time, such as an age, changes. */

@@ -124,6 +124,17 @@ class OddRobotBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"robot", "teach"})
+  void aViewSaysThatTheRobotHasNotAnsweredYet(String view, Browser browser) throws Exception {
+    pages = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> {});
+    pages.controller().fault(request -> true, Fault.hold(released));
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?odd=" + view + "#/" + view));
+
+    awaitText(browser, "#main .failure", "The robot has not answered yet.");
+  }
+
   @Test
   void whatIsNoNumberIsShownAsUnknown(Browser browser) throws Exception {
     open(browser, ServerType.KUKAVARPROXY, "jog");

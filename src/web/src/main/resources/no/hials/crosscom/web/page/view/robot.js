@@ -5,8 +5,9 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import { LONGEST_STEP } from '../replay.js';
 import { oldestTime, timed } from '../readings.js';
 import { call, watch } from '../socket.js';
-import { header, note, oldAfter, state, useSharedState, useStale } from '../state.js';
+import { header, note, oldAfter, state, staleReason, useSharedState, useStale } from '../state.js';
 import { numberText } from '../value.js';
+import { Waiting } from '../waiting.js';
 
 const AXES = ['A1', 'A2', 'A3', 'A4', 'A5', 'A6'];
 const POSE = ['X', 'Y', 'Z', 'A', 'B', 'C'];
@@ -302,7 +303,7 @@ export function View() {
   }, [model, player]);
   const stale = useStale(() => oldestTime(values), oldAfter(FRAME_PERIOD)) && player === null;
   if (!model) {
-    return h('section', { class: 'panel' }, h('h1', null, '3-D'), h('p', null, 'Asking for the robot …'));
+    return h(Waiting, { title: '3-D' });
   }
   const without = missing(player, values);
   const scene = (work) => () => picture.current && work(picture.current);
@@ -353,7 +354,7 @@ export function View() {
           'aria-describedby': 'picture-keys',
           onKeyDown: (event) => turnByKey(picture.current, event),
         }),
-        stale && h('p', { class: 'old-mark' }, 'Not up to date'),
+        stale && h('p', { class: 'old-mark' }, `Not up to date. ${staleReason(header())}`.trim()),
         player && h('p', { class: 'replay-mark' }, 'Recording, not the robot'),
         !stale && without && h('p', { class: 'old-mark' }, without),
       ),

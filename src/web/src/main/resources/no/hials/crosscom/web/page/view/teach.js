@@ -7,6 +7,7 @@ import { useReadings } from '../readings.js';
 import { call, onEvent } from '../socket.js';
 import { header, isStale, mayWrite, note, serverTime, useRobot, useSharedState, writeHint } from '../state.js';
 import { numberText } from '../value.js';
+import { Waiting } from '../waiting.js';
 import { View as Robot } from './robot.js';
 
 const MODES = { T1: '#T1', T2: '#T2', AUT: '#AUT', EXT: '#EX' };
@@ -328,7 +329,7 @@ export function View() {
   useSharedState();
   const [bench, ask] = useBench();
   if (!bench) {
-    return h('section', { class: 'panel' }, h('h1', null, 'Teach'), h('p', null, 'Asking for the robot …'));
+    return h(Waiting, { title: 'Teach' });
   }
   if (!bench.simulated) {
     return h(

@@ -119,7 +119,7 @@ export function staleReason(one) {
   if (one.reason) {
     return `The robot does not answer: ${one.reason}.`;
   }
-  return one.time === undefined ? 'The robot has not answered yet.' : 'The robot does not answer.';
+  return one.time === undefined ? 'The robot has not answered yet.' : 'The robot answers late, or not at all.';
 }
 
 const ages = new Set();

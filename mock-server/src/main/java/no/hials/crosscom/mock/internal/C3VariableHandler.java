@@ -91,7 +91,10 @@ public final class C3VariableHandler {
     }
   }
 
-  /** Messages 2 and 3 are KUKAVARPROXY's: C3 Bridge does not know them. */
+  /**
+   * Messages 2 and 3 are KUKAVARPROXY's. The dispatcher passes only requests of types that {@link
+   * C3Handler#knows} accepts.
+   */
   private Handled unknown(Request request) {
     throw new IllegalArgumentException("not a request for C3 Bridge: " + request);
   }

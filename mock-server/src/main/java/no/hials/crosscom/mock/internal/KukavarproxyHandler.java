@@ -11,14 +11,23 @@ import no.hials.crosscom.protocol.Request;
 import no.hials.crosscom.protocol.Response;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.file.FileRequest;
+import no.hials.crosscom.protocol.program.ProgramRequest;
+import no.hials.crosscom.protocol.server.ServerRequest;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.BenchmarkWriteRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadArrayRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadMultipleRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.ReadRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.ReadUtf16Request;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteArrayRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteMultipleRequest;
 import no.hials.crosscom.protocol.variable.VariableRequest.WriteRequest;
+import no.hials.crosscom.protocol.variable.VariableRequest.WriteUtf16Request;
 import no.hials.crosscom.protocol.variable.VariableResponse.ReadArrayResponse;
 import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 import no.hials.crosscom.simulator.Refusal;
@@ -43,7 +52,15 @@ public final class KukavarproxyHandler implements RequestHandler {
                       .on(WriteRequest.class, KukavarproxyHandler::write)
                       .on(ReadArrayRequest.class, KukavarproxyHandler::readArray)
                       .on(WriteArrayRequest.class, KukavarproxyHandler::writeArray)
-                      .otherwise(KukavarproxyHandler::unknown));
+                      .on(ReadUtf16Request.class, KukavarproxyHandler::unknown)
+                      .on(WriteUtf16Request.class, KukavarproxyHandler::unknown)
+                      .on(ReadMultipleRequest.class, KukavarproxyHandler::unknown)
+                      .on(WriteMultipleRequest.class, KukavarproxyHandler::unknown)
+                      .on(BenchmarkReadRequest.class, KukavarproxyHandler::unknown)
+                      .on(BenchmarkWriteRequest.class, KukavarproxyHandler::unknown)
+                      .on(ProgramRequest.class, KukavarproxyHandler::unknown)
+                      .on(FileRequest.class, KukavarproxyHandler::unknown)
+                      .on(ServerRequest.class, KukavarproxyHandler::unknown));
 
   private final VariableTable variables;
   private final MockServerConfig config;
@@ -72,7 +89,7 @@ public final class KukavarproxyHandler implements RequestHandler {
     return REQUESTS.apply(this, request);
   }
 
-  /** The codec decodes only the messages that KUKAVARPROXY knows. */
+  /** The dispatcher passes only requests of types that {@link #knows} accepts. */
   private Handled unknown(Request request) {
     throw new IllegalArgumentException("not a request for KUKAVARPROXY: " + request);
   }

@@ -30,7 +30,11 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
   /** The code for the values of a class. */
   @FunctionalInterface
   public interface TypeCase<C, T, R, E extends Exception> {
-    /** Returns the result for a value; null without a result. */
+    /**
+     * Returns the result for a value.
+     *
+     * @return the result; null in a switch that is only {@linkplain TypeSwitch#run run}
+     */
     @Nullable R apply(C context, T value) throws E;
   }
 
@@ -74,9 +78,17 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
           });
     }
 
-    /** Adds a case for all classes that have none yet. */
-    public Cases<C, T, R, E> otherwise(TypeCase<C, ? super T, R, E> code) {
-      leaves(family).forEach(leaf -> cases.putIfAbsent(leaf, code));
+    /** Adds a case without a result for all classes that have no case yet. */
+    public Cases<C, T, R, E> otherwise(VoidCase<C, ? super T, E> code) {
+      leaves(family)
+          .forEach(
+              leaf ->
+                  cases.putIfAbsent(
+                      leaf,
+                      (context, value) -> {
+                        code.run(context, value);
+                        return null;
+                      }));
       return this;
     }
   }
@@ -102,12 +114,18 @@ public final class TypeSwitch<C, T, R, E extends Exception> {
     return new TypeSwitch<>(cases.cases);
   }
 
-  /** Returns the result of the case of the class of a value. */
+  /**
+   * Returns the result of the case of the class of a value.
+   *
+   * @throws NullPointerException if the case has no result
+   */
   public R apply(C context, T value) throws E {
-    return Objects.requireNonNull(find(value).apply(context, value));
+    return Objects.requireNonNull(
+        find(value).apply(context, value),
+        () -> "the case for " + value.getClass().getName() + " has no result");
   }
 
-  /** Runs the case of the class of a value. */
+  /** Runs the case of the class of a value and ignores its result. */
   public void run(C context, T value) throws E {
     find(value).apply(context, value);
   }

@@ -2,6 +2,7 @@ package no.hials.crosscom.lang;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -51,16 +52,26 @@ class TypeSwitchTest {
 
   @Test
   void runsTheCaseOtherwiseForTheRestOfTheFamily() {
-    TypeSwitch<String, Shape, String, RuntimeException> shapes =
+    TypeSwitch<List<String>, Shape, Void, RuntimeException> shapes =
         TypeSwitch.create(
             Shape.class,
             cases ->
                 cases
-                    .on(Circle.class, (prefix, circle) -> prefix + "circle")
-                    .otherwise((prefix, shape) -> prefix + "other"));
-    assertThat(shapes.apply("a ", new Circle(1))).isEqualTo("a circle");
-    assertThat(shapes.apply("an", new Square(1))).isEqualTo("another");
-    assertThat(shapes.apply("an", new Ellipse(1, 2))).isEqualTo("another");
+                    .run(Circle.class, (list, circle) -> list.add("circle " + circle.radius()))
+                    .otherwise((list, shape) -> list.add("other")));
+    shapes.run(handled, new Circle(1));
+    shapes.run(handled, new Square(1));
+    shapes.run(handled, new Ellipse(1, 2));
+    assertThat(handled).containsExactly("circle 1", "other", "other");
+  }
+
+  @Test
+  void namesTheClassWithoutAResult() {
+    TypeSwitch<List<String>, Shape, String, RuntimeException> shapes =
+        TypeSwitch.create(Shape.class, cases -> cases.otherwise((list, shape) -> {}));
+    assertThatNullPointerException()
+        .isThrownBy(() -> shapes.apply(handled, new Square(1)))
+        .withMessage("the case for " + Square.class.getName() + " has no result");
   }
 
   @Test

@@ -29,6 +29,17 @@ final class RoutineBuilder {
       Block.ENDS.entrySet().stream()
           .collect(Collectors.toMap(Map.Entry::getValue, Map.Entry::getKey));
 
+  private static final TypeSwitch<RoutineBuilder, Statement, Void, RuntimeException> PLACES =
+      TypeSwitch.create(
+          Statement.class,
+          cases ->
+              cases
+                  .run(Statement.Exit.class, RoutineBuilder::checkExit)
+                  .run(Statement.Return.class, RoutineBuilder::checkReturn)
+                  .run(Statement.Label.class, (it, label) -> it.jumps.label(label, it.around()))
+                  .run(Statement.Goto.class, (it, jump) -> it.jumps.jump(jump, it.around()))
+                  .otherwise(RoutineBuilder::allowAnywhere));
+
   private final Errors errors;
   private final ExpressionBuilder expressions;
   private final DeclarationBuilder declarationBuilder;
@@ -132,7 +143,11 @@ final class RoutineBuilder {
 
   private void declare(Line line, ContentContext content) {
     Declaration declaration = declarationBuilder.build(content, line.comment());
-    if (declaration != null && errors.damage() == null) {
+    if (declaration == null) {
+      // an alternative of the grammar without a case in a builder
+      throw new IllegalStateException("no case for '" + content.getText() + "'");
+    }
+    if (errors.damage() == null) {
       declarations.append(declaration);
     }
     if (hasStatements && !lateReported) {
@@ -148,7 +163,7 @@ final class RoutineBuilder {
     awaitCase(line.first());
     checkSpline(line.first(), statement);
     if (errors.damage() == null) {
-      check(statement);
+      PLACES.run(this, statement);
     }
     if (errors.damage() == null) {
       current().append(statement);
@@ -174,17 +189,13 @@ final class RoutineBuilder {
     return !open.isEmpty() && innermost().isSpline();
   }
 
-  /** Checks the place of a statement in its routine; most kinds may be anywhere. */
-  private void check(Statement statement) {
-    if (statement instanceof Statement.Exit && open.stream().noneMatch(Block::isLoop)) {
+  /** The case of a statement that may be anywhere in its routine. */
+  private void allowAnywhere(Statement statement) {}
+
+  private void checkExit(Statement.Exit exit) {
+    if (open.stream().noneMatch(Block::isLoop)) {
       // an unknown line may be the mistyped start of the loop
-      errors.add(statement.position(), "EXIT outside a loop", unknownLines == 0);
-    } else if (statement instanceof Statement.Return result) {
-      checkReturn(result);
-    } else if (statement instanceof Statement.Label label) {
-      jumps.label(label, around());
-    } else if (statement instanceof Statement.Goto jump) {
-      jumps.jump(jump, around());
+      errors.add(exit.position(), "EXIT outside a loop", unknownLines == 0);
     }
   }
 

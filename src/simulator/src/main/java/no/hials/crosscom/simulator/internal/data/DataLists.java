@@ -20,6 +20,7 @@ import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
 import no.hials.crosscom.lang.ParseResult;
 import no.hials.crosscom.lang.Position;
+import no.hials.crosscom.lang.TypeSwitch;
 import no.hials.crosscom.lang.VariableNote;
 import no.hials.crosscom.protocol.value.KrlEncoding;
 import no.hials.crosscom.simulator.VariableInfo;
@@ -29,7 +30,58 @@ public final class DataLists {
   /** The maximum length of a name (docs/reference/krl-values.md#names). */
   private static final int MAX_NAME_LENGTH = 24;
 
+  private static final TypeSwitch<NoteCollector, Declaration, Void, RuntimeException> NOTES =
+      TypeSwitch.create(
+          Declaration.class,
+          cases ->
+              cases
+                  .run(Declaration.Variables.class, NoteCollector::add)
+                  .run(Declaration.Signal.class, NoteCollector::add)
+                  .run(Declaration.StrucDeclaration.class, DataLists::isNoVariable)
+                  .run(Declaration.EnumDeclaration.class, DataLists::isNoVariable)
+                  .run(Declaration.Channel.class, DataLists::isNoVariable)
+                  .run(Declaration.InitialValue.class, DataLists::isNoVariable)
+                  .run(Declaration.External.class, DataLists::isNoVariable));
+
+  /** Adds the names of the variables that a declaration sets. */
+  private static final TypeSwitch<Set<String>, Declaration, Void, RuntimeException> SET =
+      TypeSwitch.create(
+          Declaration.class,
+          cases ->
+              cases
+                  .run(
+                      Declaration.Variables.class,
+                      (names, group) ->
+                          group.variables().forEach(one -> names.add(Scope.key(one.name()))))
+                  .run(
+                      Declaration.InitialValue.class,
+                      (names, value) -> names.add(Scope.key(value.target().name())))
+                  .run(Declaration.Signal.class, DataLists::isNoVariable)
+                  .run(Declaration.StrucDeclaration.class, DataLists::isNoVariable)
+                  .run(Declaration.EnumDeclaration.class, DataLists::isNoVariable)
+                  .run(Declaration.Channel.class, DataLists::isNoVariable)
+                  .run(Declaration.External.class, DataLists::isNoVariable));
+
   private DataLists() {}
+
+  /** The case of a declaration that declares no variable with a note or a value. */
+  private static void isNoVariable(Object context, Declaration declaration) {}
+
+  /** Collects the notes on the global variables of a list. */
+  private record NoteCollector(DataList list, Map<String, VariableNote> notes) {
+    void add(Declaration.Variables group) {
+      if (isGlobal(list, group.global())) {
+        VariableNote note = VariableNote.of(group.comment());
+        group.variables().forEach(variable -> notes.put(Scope.key(variable.name()), note));
+      }
+    }
+
+    void add(Declaration.Signal signal) {
+      if (isGlobal(list, signal.global())) {
+        notes.put(Scope.key(signal.name()), VariableNote.of(signal.comment()));
+      }
+    }
+  }
 
   /**
    * Parses a file in Windows-1252 or UTF-8.
@@ -100,17 +152,9 @@ public final class DataLists {
    */
   public static Map<String, VariableNote> notes(DataList list) {
     Map<String, VariableNote> notes = new HashMap<>();
-    if (!isGlobal(list, true)) {
-      return notes;
-    }
-    for (Declaration declaration : list.declarations()) {
-      if (declaration instanceof Declaration.Variables group && isGlobal(list, group.global())) {
-        VariableNote note = VariableNote.of(group.comment());
-        group.variables().forEach(variable -> notes.put(Scope.key(variable.name()), note));
-      } else if (declaration instanceof Declaration.Signal signal
-          && isGlobal(list, signal.global())) {
-        notes.put(Scope.key(signal.name()), VariableNote.of(signal.comment()));
-      }
+    if (isGlobal(list, true)) {
+      NoteCollector collector = new NoteCollector(list, notes);
+      list.declarations().forEach(declaration -> NOTES.run(collector, declaration));
     }
     return notes;
   }
@@ -119,13 +163,7 @@ public final class DataLists {
   public static Set<String> set(DataList list, Set<String> variables) {
     Set<String> found = new HashSet<>();
     if (DataListLoader.isSystem(list)) {
-      for (Declaration declaration : list.declarations()) {
-        if (declaration instanceof Declaration.Variables group) {
-          group.variables().forEach(variable -> found.add(Scope.key(variable.name())));
-        } else if (declaration instanceof Declaration.InitialValue value) {
-          found.add(Scope.key(value.target().name()));
-        }
-      }
+      list.declarations().forEach(declaration -> SET.run(found, declaration));
     }
     found.retainAll(variables);
     return found;

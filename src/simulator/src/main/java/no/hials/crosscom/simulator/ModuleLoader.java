@@ -254,7 +254,8 @@ final class ModuleLoader {
     if (report.anyRefused()) {
       return new Loaded(null, report);
     }
-    core.loaded(new RobotData(DataLists.set(list, RobotData.SIGNS), variables.robotData()));
+    core.loaded(
+        new RobotData(DataLists.variablesSetBy(list, RobotData.SIGNS), variables.robotData()));
     if (!list.name().startsWith("$")) {
       core.withLibrary(
           library -> {

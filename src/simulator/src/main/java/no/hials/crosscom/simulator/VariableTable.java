@@ -187,7 +187,7 @@ public final class VariableTable {
       all.putAll(added);
       notes = Map.copyOf(all);
     }
-    Set<String> signs = DataLists.set(list, RobotData.SIGNS);
+    Set<String> signs = DataLists.variablesSetBy(list, RobotData.SIGNS);
     signs.addAll(robotData);
     robotData = Set.copyOf(signs);
     return true;

@@ -160,7 +160,7 @@ public final class DataLists {
   }
 
   /** Returns which of some variables, in upper case, a list of the controller itself sets. */
-  public static Set<String> set(DataList list, Set<String> variables) {
+  public static Set<String> variablesSetBy(DataList list, Set<String> variables) {
     Set<String> found = new HashSet<>();
     if (DataListLoader.isSystem(list)) {
       list.declarations().forEach(declaration -> SET.run(found, declaration));

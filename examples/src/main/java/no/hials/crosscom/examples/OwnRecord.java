@@ -38,8 +38,8 @@ public final class OwnRecord {
       robot
           .variables()
           .declareStruc(
-              "WELD",
-              "REAL SPEED; INT SEAM_NO; CHAR NAME[24]; STATE STATE; FRAME OFFSET; REAL GAP");
+              "STRUC WELD REAL SPEED, INT SEAM_NO, CHAR NAME[24], STATE STATE,"
+                  + " FRAME OFFSET, REAL GAP");
       robot
           .variables()
           .declare(

@@ -42,7 +42,7 @@ public final class OwnStructure {
    */
   public static void main(String[] args) throws IOException {
     try (MockServer robot = MockServer.start()) {
-      robot.variables().declareStruc("WELD", "REAL SPEED; INT SEAM");
+      robot.variables().declareStruc("STRUC WELD REAL SPEED, INT SEAM");
       robot.variables().declare("MYWELD", "WELD", "{SPEED 0.5,SEAM 1}");
       try (CrossComClient client = new CrossComClient(robot.host(), robot.port())) {
         Weld weld = new Weld("MYWELD");

@@ -184,7 +184,7 @@ final class C3BridgeTest {
 
   @Test
   void staysWrittenWhenTheAnswerIsTooLong() throws IOException {
-    server.variables().declareStruc("LONGTYPE", "INT N; CHAR TEXT[40000]");
+    server.variables().declareStruc("STRUC LONGTYPE INT N, CHAR TEXT[40000]");
     server.variables().declare("LONG", "LONGTYPE", "{N 1,TEXT[] \"" + "x".repeat(40_000) + "\"}");
     assertThat(several(new WriteMultipleRequest(1, List.of(new Assignment("LONG", "{N 2}")))))
         .isEqualTo(new MultipleResponse(1, MessageType.WRITE_MULTIPLE, List.of(), new Tail(10, 0)));
@@ -194,7 +194,7 @@ final class C3BridgeTest {
 
   @Test
   void closesTheConnectionInsteadOfAnAnswerThatIsTooLong() throws IOException {
-    server.variables().declareStruc("LONGTYPE", "CHAR TEXT[40000]");
+    server.variables().declareStruc("STRUC LONGTYPE CHAR TEXT[40000]");
     server.variables().declare("LONG", "LONGTYPE", "{TEXT[] \"" + "x".repeat(40_000) + "\"}");
     assertThat(client.read("LONG").tail()).isEqualTo(Tail.SUCCESS);
     assertThatThrownBy(() -> client.exchange(new ReadUtf16Request(1, "LONG")))

@@ -163,7 +163,8 @@ final class C3VectorsTest {
     table.declare("MYCHAR[1]", "CHAR", "\"\u00C4\"");
     table.declare("MYUMLAUT[2]", "CHAR", "\"\u00C4\u20AC\"");
     table.declareEnum("STATES", "IDLE", "BUSY");
-    table.declareStruc("MYTYPE", "INT COUNT; BOOL FLAG; REAL RATIO; CHAR LABEL[10]; STATES STATE");
+    table.declareStruc(
+        "STRUC MYTYPE INT COUNT, BOOL FLAG, REAL RATIO, CHAR LABEL[10], STATES STATE");
     table.declare("MYSTRUCT", "MYTYPE", "{COUNT 0,FLAG TRUE,RATIO 0.0,LABEL[] \"x\",STATE #IDLE}");
     declareLong(table, "BIGVAR", 60_000);
     declareLong(table, "BIG66000", 66_000);
@@ -172,7 +173,7 @@ final class C3VectorsTest {
   }
 
   private static void declareLong(VariableTable table, String name, int length) {
-    table.declareStruc(name + "TYPE", "CHAR TEXT[" + length + "]");
+    table.declareStruc("STRUC " + name + "TYPE CHAR TEXT[" + length + "]");
     table.declare(name, name + "TYPE", "{TEXT[] \"" + "x".repeat(length) + "\"}");
   }
 

@@ -43,7 +43,7 @@ class CodePageTest {
   void connect() throws Exception {
     robot = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE).codePage(page));
     robot.variables().declare("TEXT[100]", "CHAR", "\"\"");
-    robot.variables().declareStruc("LABEL", "CHAR TEXT[100]; INT COUNT");
+    robot.variables().declareStruc("STRUC LABEL CHAR TEXT[100], INT COUNT");
     robot.variables().declare("MYLABEL", "LABEL", "{TEXT[] \"x\",COUNT 1}");
     client =
         new CrossComClient(

@@ -76,18 +76,18 @@ class KRLRecordTest extends RobotTest {
     detectServer();
     var variables = robot.variables();
     variables.declareEnum("MODE", "MANUAL", "AUTOMATIC", "TEACH_IN", "OTHER");
-    variables.declareStruc("SEAM", "REAL X; INT LAYERS");
-    variables.declareStruc("WELD", "REAL SPEED; INT SEAM; CHAR NAME[24]; FRAME OFFSET");
+    variables.declareStruc("STRUC SEAM REAL X, INT LAYERS");
+    variables.declareStruc("STRUC WELD REAL SPEED, INT SEAM, CHAR NAME[24], FRAME OFFSET");
     variables.declareStruc(
-        "SCALARS", "INT I; REAL F; REAL D; BOOL B; CHAR C; CHAR S[200]; MODE MODE");
-    variables.declareStruc("NESTED", "INT ID; SEAM SEAM; SEAM SEAM_2");
+        "STRUC SCALARS INT I, REAL F, REAL D, BOOL B, CHAR C, CHAR S[200], MODE MODE");
+    variables.declareStruc("STRUC NESTED INT ID, SEAM SEAM, SEAM SEAM_2");
     variables.declareStruc(
-        "ARRAYS", "INT INTS[3]; REAL REALS[2]; REAL FLOATS[2]; BOOL BOOLS[2]; MODE M[2]");
-    variables.declareStruc("POSITIONS", "FRAME FRAME; POS POS; E6POS E6POS");
-    variables.declareStruc("AXES", "AXIS AXIS; E6AXIS E6AXIS");
-    variables.declareStruc("SPARSE", "INT I; CHAR S[10]; INT A[3]; SEAM SEAM; INT ID");
-    variables.declareStruc("CHECKED", "INT PERCENT");
-    variables.declareStruc("OUTER", "CHECKED CHECKED");
+        "STRUC ARRAYS INT INTS[3], REAL REALS[2], REAL FLOATS[2], BOOL BOOLS[2], MODE M[2]");
+    variables.declareStruc("STRUC POSITIONS FRAME FRAME, POS POS, E6POS E6POS");
+    variables.declareStruc("STRUC AXES AXIS AXIS, E6AXIS E6AXIS");
+    variables.declareStruc("STRUC SPARSE INT I, CHAR S[10], INT A[3], SEAM SEAM, INT ID");
+    variables.declareStruc("STRUC CHECKED INT PERCENT");
+    variables.declareStruc("STRUC OUTER CHECKED CHECKED");
     variables.declare(
         "MYWELD",
         "WELD",
@@ -375,7 +375,7 @@ class KRLRecordTest extends RobotTest {
 
   @Test
   void whatAPositionDoesNotHaveIsNotHandedOutAndNotWritten() throws Exception {
-    robot.variables().declareStruc("POINT", "E6POS P");
+    robot.variables().declareStruc("STRUC POINT E6POS P");
     robot.variables().declare("MYPOINT", "POINT", "{P {X 1,Y 2,Z 3,A 4,B 5,C 27.0000057}}");
     KRLRecord<Point> variable = new KRLRecord<>("MYPOINT", Point.class);
     client.readVariable(variable);
@@ -506,7 +506,8 @@ class KRLRecordTest extends RobotTest {
         "C | \"\" | expected one character in double quotes",
         "C | 1 | expected a text in double quotes",
         "S[] | 1 | expected a text in double quotes",
-        "MODE | #OTHER | expected one of #MANUAL, #AUTOMATIC, #TEACH_IN at position 6, found #OTHER",
+        "MODE | #OTHER | expected one of #MANUAL, #AUTOMATIC, #TEACH_IN at position 6, found"
+            + " #OTHER",
         "MODE | #TEACH | expected one of #MANUAL, #AUTOMATIC, #TEACH_IN",
         "MODE | TRUE | expected an ENUM constant",
       })
@@ -825,7 +826,7 @@ class KRLRecordTest extends RobotTest {
   void framesAndArraysOfAWrittenRecordStayThoseOfTheProgram() throws Exception {
     record Joint(int seam, KRLFrame offset) {}
 
-    robot.variables().declareStruc("SEAMTYPE", "INT SEAM; FRAME OFFSET");
+    robot.variables().declareStruc("STRUC SEAMTYPE INT SEAM, FRAME OFFSET");
     robot.variables().declare("MYSEAM", "SEAMTYPE", null);
     KRLFrame offset = new KRLFrame("OFFSET").setX(1);
     KRLRecord<Joint> seam = new KRLRecord<>("MYSEAM", Joint.class);

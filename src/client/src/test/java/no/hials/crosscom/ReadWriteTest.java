@@ -357,7 +357,7 @@ class ReadWriteTest extends RobotTest {
 
   @Test
   void aStructureOfTheProgramsOwnIsReadAndWritten() throws Exception {
-    robot.variables().declareStruc("WELD", "REAL SPEED; INT SEAM; CHAR NAME[24]");
+    robot.variables().declareStruc("STRUC WELD REAL SPEED, INT SEAM, CHAR NAME[24]");
     robot.variables().declare("MYWELD", "WELD", "{SPEED 0.5,SEAM 1,NAME[] \"left, upper\"}");
     Weld weld = new Weld("MYWELD");
     client.readVariable(weld);
@@ -669,7 +669,7 @@ class ReadWriteTest extends RobotTest {
   void textsOfTheCodePageAreReadAndWrittenExactly(int page, String charset, String text)
       throws Exception {
     codePage(page, charset);
-    robot.variables().declareStruc("LABEL", "CHAR TEXT[20]; INT COUNT");
+    robot.variables().declareStruc("STRUC LABEL CHAR TEXT[20], INT COUNT");
     robot.variables().declare("MYLABEL", "LABEL", "{TEXT[] \"x\",COUNT 1}");
     KRLString s = new KRLString("MYSTRING[]");
     s.setValue(text);

@@ -52,11 +52,12 @@ class TypedAccessTest extends RobotTest {
   }
 
   private void declareWeld() {
-    robot.variables().declareStruc("SEAM", "REAL X; INT LAYERS; BOOL DONE");
+    robot.variables().declareStruc("STRUC SEAM REAL X, INT LAYERS, BOOL DONE");
     robot
         .variables()
         .declareStruc(
-            "WELD", "REAL SPEED; CHAR NAME[24]; SEAM SEAM; INT COUNTS[2]; FRAME OFFSET; INT GAP");
+            "STRUC WELD REAL SPEED, CHAR NAME[24], SEAM SEAM, INT COUNTS[2], FRAME OFFSET,"
+                + " INT GAP");
     robot
         .variables()
         .declare(

@@ -42,13 +42,13 @@ public final class KrlParser {
   }
 
   /**
-   * Parses a declaration that is not in a file: {@code REAL X,Y[3]}, or {@code SIGNAL S $OUT[1] TO
-   * $OUT[8]}. A name can be a keyword here and can be longer than 24 characters; modifiers, initial
-   * values and comments are errors.
+   * Parses a declaration that is not in a file: {@code REAL X,Y[3]}, {@code SIGNAL S $OUT[1] TO
+   * $OUT[8]}, or {@code STRUC WELD REAL SPEED, INT SEAM}. A name can be a keyword here and can be
+   * longer than 24 characters; modifiers, initial values and comments are errors.
    *
    * @param text the declaration
    * @param errors receives the errors; their positions have no file name
-   * @return the variables or the signal; empty if there is an error
+   * @return the variables, the signal or the type; empty if there is an error
    */
   public static Optional<Declaration> parseDeclaration(String text, Consumer<KrlError> errors) {
     Errors found = new Errors("");

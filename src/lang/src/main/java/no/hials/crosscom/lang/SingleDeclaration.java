@@ -10,6 +10,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Parses a declaration that is not in a file. Its names can be keywords, and of any length. */
 final class SingleDeclaration {
+  /** The keywords that a declaration begins with. */
+  private static final Set<Integer> FIRST = Set.of(KrlGrammarParser.SIGNAL, KrlGrammarParser.STRUC);
+
   /** The keywords of a wiring. */
   private static final Set<Integer> WIRING = Set.of(KrlGrammarParser.TO, KrlGrammarParser.FALSE);
 
@@ -37,10 +40,11 @@ final class SingleDeclaration {
     return declaration;
   }
 
-  /** Turns keywords into names, except the keywords of a signal. */
+  /** Turns keywords into names, except the first one and those of a wiring. */
   private static void freeKeywords(List<Token> tokens) {
-    boolean isSignal = tokens.get(0).getType() == KrlGrammarParser.SIGNAL;
-    for (int i = isSignal ? 1 : 0; i < tokens.size() - 1; i++) {
+    int first = tokens.get(0).getType();
+    boolean isSignal = first == KrlGrammarParser.SIGNAL;
+    for (int i = FIRST.contains(first) ? 1 : 0; i < tokens.size() - 1; i++) {
       Token token = tokens.get(i);
       boolean isKeyword = Character.isLetter(token.getText().charAt(0));
       if (isKeyword && !(isSignal && i > 1 && WIRING.contains(token.getType()))) {

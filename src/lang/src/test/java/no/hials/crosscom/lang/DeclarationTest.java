@@ -33,10 +33,11 @@ class DeclarationTest {
             + " Declarator(D, [-, -], -)], )",
         "DECL INT SEC,STEP        | Variables(false, false, INT, [Declarator(SEC, [], -),"
             + " Declarator(STEP, [], -)], )",
-        "STRUC S INT A,B[2], REAL C, FRAME F | StrucDeclaration(false, S, [Component(INT, Declarator(A, [],"
-            + " -)), Component(INT, Declarator(B, [2], -)), Component(REAL, Declarator(C, [], -)),"
-            + " Component(FRAME, Declarator(F, [], -))], )",
-        "GLOBAL STRUC S CHAR N[24] | StrucDeclaration(true, S, [Component(CHAR, Declarator(N, [24], -))], )",
+        "STRUC S INT A,B[2], REAL C, FRAME F | StrucDeclaration(false, S, [Component(INT,"
+            + " Declarator(A, [], -)), Component(INT, Declarator(B, [2], -)), Component(REAL,"
+            + " Declarator(C, [], -)), Component(FRAME, Declarator(F, [], -))], )",
+        "GLOBAL STRUC S CHAR N[24] | StrucDeclaration(true, S, [Component(CHAR, Declarator(N, [24],"
+            + " -))], )",
         "ENUM E A,B,ON            | EnumDeclaration(false, E, [A, B, ON], )",
         "GLOBAL ENUM E A          | EnumDeclaration(true, E, [A], )",
         "SIGNAL S $OUT[5]         | Signal(false, S, $OUT[5], -, )",
@@ -100,7 +101,8 @@ class DeclarationTest {
       value = {
         "INT I ; a counter        | Variables(false, false, INT, [Declarator(I, [], -)], a"
             + " counter)",
-        "STRUC S INT A;b;c        | StrucDeclaration(false, S, [Component(INT, Declarator(A, [], -))], b;c)",
+        "STRUC S INT A;b;c        | StrucDeclaration(false, S, [Component(INT, Declarator(A, [],"
+            + " -))], b;c)",
         "ENUM E A;  two  words    | EnumDeclaration(false, E, [A], two  words)",
         "SIGNAL S $OUT[1];        | Signal(false, S, $OUT[1], -, )",
         "A=\"x;y\" ;z             | InitialValue(A, \"x;y\", z)",
@@ -247,6 +249,9 @@ class DeclarationTest {
             + " [Declarator(A234567890123456789012345, [], -)], )",
         "SIGNAL LOOP LOOP[1] to LOOP[2] | Signal(false, LOOP, LOOP[1], LOOP[2], )",
         "SIGNAL FALSE FALSE       | Signal(false, FALSE, -, -, )",
+        "STRUC LOOP REAL A[2],TO, INT B | StrucDeclaration(false, LOOP,"
+            + " [Component(REAL, Declarator(A, [2], -)), Component(REAL, Declarator(TO, [], -)),"
+            + " Component(INT, Declarator(B, [], -))], )",
       })
   void readsASingleDeclarationWhoseNamesCanBeKeywords(String text, String tree) {
     List<KrlError> errors = new ArrayList<>();
@@ -269,6 +274,8 @@ class DeclarationTest {
         "A[1]=5                   | expected a declaration, found A",
         "FOO()                    | expected a declaration, found FOO",
         "SIGNAL S $OUT[1] TO      | expected",
+        "STRUC S                  | expected",
+        "STRUC S X                | expected a type and a name, found X",
       })
   void refusesWhatIsNoSingleDeclaration(String text, String error) {
     List<KrlError> errors = new ArrayList<>();

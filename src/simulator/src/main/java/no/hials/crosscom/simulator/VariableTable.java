@@ -288,12 +288,11 @@ public final class VariableTable {
   /**
    * Declares a STRUC type. Replaces a type of the same name; variables keep their type.
    *
-   * @param name the name of the type
-   * @param definition the components in print order, such as {@code REAL SPEED; INT SEAM; CHAR
-   *     NAME[24]; FRAME OFFSET}
+   * @param declaration the type as in KRL, with the components in print order: {@code STRUC WELD
+   *     REAL SPEED, INT SEAM, CHAR NAME[24], FRAME OFFSET}
    */
-  public void declareStruc(String name, String definition) {
-    Declarations.declareStruc(scope, name, definition);
+  public void declareStruc(String declaration) {
+    Declarations.declareStruc(scope, declaration);
   }
 
   /**

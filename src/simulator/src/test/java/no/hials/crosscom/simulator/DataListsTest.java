@@ -105,7 +105,8 @@ class DataListsTest {
           INT $NUM_AX=4
           REAL $SOFTN_END[12]
           $SOFTN_END[1]=-100.0
-          ENDDAT""");
+          ENDDAT\
+          """);
       assertThat(table.get("$NUM_AX")).isEqualTo("4");
       assertThat(table.describe("$NUM_AX").orElseThrow().access()).isEqualTo(Access.READ_ONLY);
       table.write("$SOFTN_END[1]", "-90.0", 255);
@@ -367,8 +368,8 @@ class DataListsTest {
     @Test
     void givesBackArraysInStructuresInArrays() throws Exception {
       small.declareEnum("COLOUR", "red", "Green");
-      small.declareStruc("INNER", "CHAR NAME[5],NAMES[2,5]; COLOUR C[2]");
-      small.declareStruc("OUTER", "INNER I[2],ONE; BOOL GRID[2,2]");
+      small.declareStruc("STRUC INNER CHAR NAME[5],NAMES[2,5], COLOUR C[2]");
+      small.declareStruc("STRUC OUTER INNER I[2],ONE, BOOL GRID[2,2]");
       small.declare("DEEP[2]", "OUTER", null);
       small.declare("$DEEP[2]", "OUTER", null);
       small.set("DEEP[2].I[1].NAMES[2,]", "\"ab\"");
@@ -384,7 +385,7 @@ class DataListsTest {
 
     @Test
     void keepsWhatIsUninitialisedSo() throws Exception {
-      small.declareStruc("POINT", "REAL X,Y");
+      small.declareStruc("STRUC POINT REAL X,Y");
       small.declare("PARTLY[3]", "POINT", null);
       small.set("PARTLY[2]", "{Y 2.0}");
       small.declare("$MOST[3]", "INT", "7");
@@ -455,9 +456,9 @@ class DataListsTest {
 
     @Test
     void refusesTwoTypesOfOneName() {
-      small.declareStruc("S", "INT A");
+      small.declareStruc("STRUC S INT A");
       small.declare("OLD", "S", null);
-      small.declareStruc("S", "INT B");
+      small.declareStruc("STRUC S INT B");
       assertThatThrownBy(() -> small.toDataList("X"))
           .isInstanceOf(IllegalStateException.class)
           .hasMessageContaining("two types S");

@@ -526,9 +526,8 @@ class VariableTableTest {
     void knowsStructuresOfTheUsersOwn() {
       table.declareEnum("MEDIUM", "WATER", "OIL");
       table.declareStruc(
-          "WELD",
-          "REAL SPEED; INT SEAM,COUNTS[3]; CHAR NAME[24],LINES[2,8]; FRAME OFFSET; BOOL ON;"
-              + " MEDIUM MEDIUM; CHAR MARK; FRAME VIA[2]; INT GRID[2,2]");
+          "STRUC WELD REAL SPEED, INT SEAM,COUNTS[3], CHAR NAME[24],LINES[2,8], FRAME OFFSET,"
+              + " BOOL ON, MEDIUM MEDIUM, CHAR MARK, FRAME VIA[2], INT GRID[2,2]");
       table.declare("MYWELD", "WELD", null);
       assertThat(table.get("MYWELD")).isEqualTo("{WELD: }");
       write("MYWELD.SPEED", "1");
@@ -560,7 +559,7 @@ class VariableTableTest {
 
     @Test
     void printsTheInitialisedElementsOfAPartlyInitialisedComponent() {
-      table.declareStruc("S", "INT A[3]");
+      table.declareStruc("STRUC S INT A[3]");
       table.declare("PARTLY", "S", "{A[3] 3,A[1] 1}");
       assertThat(read("PARTLY")).isEqualTo("{S: A[1] 1, A[3] 3}");
       assertReadRefused("PARTLY.A[]", Refusal.NOT_INITIALISED);
@@ -648,14 +647,20 @@ class VariableTableTest {
 
     @Test
     void refusesTypesThatMakeNoSense() {
-      for (String definition :
-          List.of("", "REAL", "REAL X;", "NOSUCH X", "REAL X,x", "REAL X[0]")) {
-        assertThatThrownBy(() -> table.declareStruc("S", definition))
-            .as(definition)
+      for (String components :
+          List.of(
+              "", "REAL", "REAL X,", "REAL X; INT Y", "X", "NOSUCH X", "REAL X,x", "REAL X[0]")) {
+        assertThatThrownBy(() -> table.declareStruc("STRUC S " + components))
+            .as(components)
             .isInstanceOf(IllegalArgumentException.class);
       }
-      assertThatThrownBy(() -> table.declareStruc("1", "REAL X")).hasMessageContaining("'1'");
-      assertThatThrownBy(() -> table.declareStruc("int", "REAL X"))
+      assertThatThrownBy(() -> table.declareStruc("STRUC 1 REAL X"))
+          .hasMessageContaining("is 'STRUC 1 REAL X': expected a name, found 1");
+      assertThatThrownBy(() -> table.declareStruc("REAL X"))
+          .hasMessage("a type is declared as in STRUC WELD REAL SPEED, CHAR NAME[24], is 'REAL X'");
+      assertThatThrownBy(() -> table.declare("S INT A", "STRUC", null))
+          .hasMessageContaining("a declaration is a type and a name");
+      assertThatThrownBy(() -> table.declareStruc("STRUC int REAL X"))
           .hasMessageContaining("base type of KRL");
       assertThatThrownBy(() -> table.declareEnum("E")).hasMessageContaining("at least one");
       assertThatThrownBy(() -> table.declareEnum("E", "A", "a")).hasMessageContaining("twice");
@@ -665,14 +670,15 @@ class VariableTableTest {
 
     @Test
     void refusesStructuresThatNestTooDeep() {
-      table.declareStruc("S1", "INT X");
+      table.declareStruc("STRUC S1 INT X");
       for (int depth = 2; depth <= 64; depth++) {
-        table.declareStruc("S" + depth, "S" + (depth - 1) + " X");
+        table.declareStruc("STRUC S" + depth + " S" + (depth - 1) + " X");
       }
       table.declare("DEEP", "S64", null);
       table.set("DEEP" + ".X".repeat(64), "5");
       assertThat(table.get("DEEP")).endsWith("{S1: X 5" + "}".repeat(64));
-      assertThatThrownBy(() -> table.declareStruc("S65", "S64 X")).hasMessageContaining("64 deep");
+      assertThatThrownBy(() -> table.declareStruc("STRUC S65 S64 X"))
+          .hasMessageContaining("64 deep");
     }
   }
 

@@ -143,7 +143,7 @@ class RobotModelTest {
             variables -> {
               variables.remove("$EX_AX_NUM");
               variables.declare("$EX_AX_NUM", "BOOL", "TRUE");
-              variables.declareStruc("ODD", "BOOL X,Y");
+              variables.declareStruc("STRUC ODD BOOL X,Y");
               variables.remove("$ROBROOT");
               variables.declare("$ROBROOT", "ODD", "{X TRUE,Y FALSE}");
             })) {

@@ -2,7 +2,6 @@ package no.hials.crosscom.simulator.internal.data;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Supplier;
 import no.hials.crosscom.lang.Access;
 import no.hials.crosscom.lang.Declaration;
@@ -22,6 +21,12 @@ import org.jspecify.annotations.Nullable;
 public final class Declarations {
   /** The position of a declaration that comes from Java code. */
   private static final Position NOWHERE = new Position("", 1, 1);
+
+  private static final String STRUC_RULE =
+      "a type is declared as in STRUC WELD REAL SPEED, CHAR NAME[24]";
+
+  private static final String VARIABLE_RULE =
+      "a declaration is a type and a name with or without [dimensions]";
 
   private Declarations() {}
 
@@ -89,21 +94,12 @@ public final class Declarations {
   /**
    * Declares a structure type.
    *
-   * @param definition the components in print order, such as {@code REAL SPEED; CHAR NAME[24]}
+   * @param declaration such as {@code STRUC WELD REAL SPEED, CHAR NAME[24]}
    * @throws IllegalArgumentException if it is wrong; then nothing has changed
    */
-  public static void declareStruc(Scope scope, String name, String definition) {
+  public static void declareStruc(Scope scope, String declaration) {
     try {
-      List<Declaration.Component> components = new ArrayList<>();
-      for (String group : definition.split(";", -1)) {
-        if (!(parse(group) instanceof Declaration.Variables variables)) {
-          throw new IllegalArgumentException("a SIGNAL is not a component, is '" + group + "'");
-        }
-        variables
-            .variables()
-            .forEach(one -> components.add(new Declaration.Component(variables.type(), one)));
-      }
-      declare(scope, new Declaration.StrucDeclaration(NOWHERE, false, name, components, ""));
+      declare(scope, parse(declaration, Declaration.StrucDeclaration.class, STRUC_RULE));
     } catch (KrlErrorException e) {
       throw new IllegalArgumentException(e.error().message(), e);
     }
@@ -127,12 +123,13 @@ public final class Declarations {
       Scope scope, String declaration, Access access, @Nullable KrlValue value)
       throws RefusedException {
     try {
-      Declaration parsed = parse(declaration);
-      if (parsed instanceof Declaration.Signal signal) {
+      if (Scope.key(declaration).startsWith("SIGNAL ")) {
+        Declaration.Signal signal = parse(declaration, Declaration.Signal.class, SignalWiring.RULE);
         declare(scope, signal, access);
         return signal.name();
       }
-      Declaration.Variables variables = (Declaration.Variables) parsed;
+      Declaration.Variables variables =
+          parse(declaration, Declaration.Variables.class, VARIABLE_RULE);
       Declaration.Declarator variable = variables.variables().get(0);
       if (variables.variables().size() > 1) {
         throw new KrlErrorException(NOWHERE, "expected one variable, found '" + declaration + "'");
@@ -149,15 +146,18 @@ public final class Declarations {
     }
   }
 
-  private static Declaration parse(String text) {
+  private static <D extends Declaration> D parse(String text, Class<D> kind, String rule) {
     List<KrlError> errors = new ArrayList<>();
-    Optional<Declaration> parsed = KrlParser.parseDeclaration(text, errors::add);
-    return parsed.orElseThrow(
-        () ->
-            new IllegalArgumentException(
-                (Scope.key(text).startsWith("SIGNAL ")
-                        ? SignalWiring.RULE
-                        : "a declaration is a type and a name with or without [dimensions]")
-                    + (", is '" + text.strip() + "': " + errors.get(0).message())));
+    return KrlParser.parseDeclaration(text, errors::add)
+        .filter(kind::isInstance)
+        .map(kind::cast)
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    rule
+                        + ", is '"
+                        + text.strip()
+                        + "'"
+                        + (errors.isEmpty() ? "" : ": " + errors.get(0).message())));
   }
 }

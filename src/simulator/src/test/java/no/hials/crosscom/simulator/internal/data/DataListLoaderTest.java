@@ -31,8 +31,8 @@ class DataListLoaderTest {
   @BeforeEach
   void declareGlobals() throws RefusedException {
     Declarations.declareEnum(globals, "MODE", List.of("A", "B"));
-    Declarations.declareStruc(globals, "FRAME", "REAL X");
-    Declarations.declareStruc(globals, "LOAD", "REAL M; FRAME CM");
+    Declarations.declareStruc(globals, "STRUC FRAME REAL X");
+    Declarations.declareStruc(globals, "STRUC LOAD REAL M, FRAME CM");
     Declarations.declare(globals, "BOOL $OUT[8]", Access.READ_WRITE, null);
     Declarations.declare(globals, "INT $OV", Access.READ_ONLY, null);
     Declarations.declare(globals, "INT SHARED", Access.READ_WRITE, null);

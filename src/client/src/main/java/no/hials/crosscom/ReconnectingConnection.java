@@ -228,7 +228,7 @@ final class ReconnectingConnection {
     if (isLate()) {
       throw late(Connection.what(type, name));
     }
-    Threads.commitCall();
+    Threads.checkCall();
   }
 
   /** Returns whether the turn came after the time-out. */
@@ -246,6 +246,7 @@ final class ReconnectingConnection {
    */
   ExchangeAnswer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
       throws CrossComException {
+    Threads.commitCall();
     Connection used = current();
     boolean known = used.hasAnswered();
     try {
@@ -273,6 +274,7 @@ final class ReconnectingConnection {
       String what,
       Class<? extends TypedResponse> answerClass)
       throws CrossComException {
+    Threads.commitCall();
     try {
       MessageAnswer answer =
           current().exchange(frame, nextId(), type, effect, what, turn.waited(), answerClass);

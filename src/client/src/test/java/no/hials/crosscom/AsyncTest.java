@@ -3,6 +3,7 @@ package no.hials.crosscom;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.net.ServerSocket;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -14,6 +15,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.structs.KRLFrame;
@@ -159,6 +161,34 @@ class AsyncTest extends RobotTest {
 
     assertThat(client.async(c -> c.readText("MYINT")).get()).as("after it").isEqualTo("0");
     assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void aCallCanBeCancelledWhileItConnects() throws Exception {
+    try (CrossComClient its = client(cfg -> {})) {
+      assertThat(its.readText("$OV_PRO")).isEqualTo("100");
+      int port = robot.port();
+      robot.close();
+      AtomicReference<Thread> caller = new AtomicReference<>();
+      try (ServerSocket full = withFullBacklog(port)) {
+        assertThat(full.getLocalPort()).isEqualTo(port);
+        CompletableFuture<Void> write =
+            its.asyncRun(
+                c -> {
+                  caller.set(Thread.currentThread());
+                  c.writeText("MYINT", "9");
+                });
+        awaitWaiting(caller);
+
+        assertThat(write.cancel(false)).as("nothing was sent").isTrue();
+      }
+    }
+  }
+
+  private static void awaitWaiting(AtomicReference<Thread> thread) {
+    while (thread.get() == null || thread.get().getState() != Thread.State.WAITING) {
+      Thread.onSpinWait();
+    }
   }
 
   @Test

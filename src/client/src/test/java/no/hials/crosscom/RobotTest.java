@@ -1,5 +1,10 @@
 package no.hials.crosscom;
 
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Consumer;
@@ -68,5 +73,23 @@ abstract class RobotTest {
               cfg.port(robot.port()).requestTimeout(LONG).keepAlive(Duration.ZERO);
               settings.accept(cfg);
             }));
+  }
+
+  /**
+   * Returns a socket that answers no request to connect: its backlog is full. The sockets that fill
+   * it end with it.
+   *
+   * @param port its port; 0 for a free one
+   */
+  @SuppressWarnings("resource")
+  static ServerSocket withFullBacklog(int port) throws IOException {
+    ServerSocket full = new ServerSocket(port, 1, InetAddress.getLoopbackAddress());
+    try {
+      while (true) {
+        new Socket().connect(full.getLocalSocketAddress(), 100);
+      }
+    } catch (SocketTimeoutException e) {
+      return full;
+    }
   }
 }

@@ -4,10 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
-import java.net.InetAddress;
 import java.net.ServerSocket;
-import java.net.Socket;
-import java.net.SocketTimeoutException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Iterator;
@@ -369,18 +366,7 @@ class SharedWatchesTest extends RobotTest {
 
   @Test
   void closingTheClientEndsAWatchThatConnects() throws Exception {
-    // a full backlog makes the system drop the request to connect
-    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-      List<Socket> fillers = new ArrayList<>();
-      for (int i = 0; i < 3; i++) {
-        Socket filler = new Socket();
-        fillers.add(filler);
-        try {
-          filler.connect(full.getLocalSocketAddress(), 100);
-        } catch (SocketTimeoutException e) {
-          break;
-        }
-      }
+    try (ServerSocket full = withFullBacklog(0)) {
       CountDownLatch ended = new CountDownLatch(1);
       CrossComClient its =
           CrossComClient.lazy(
@@ -395,9 +381,6 @@ class SharedWatchesTest extends RobotTest {
       its.close();
 
       assertThat(ended.await(60, TimeUnit.SECONDS)).isTrue();
-      for (Socket filler : fillers) {
-        filler.close();
-      }
     }
   }
 

@@ -58,7 +58,17 @@ public final class Threads {
     this.closed = closed;
   }
 
-  /** Commits the call that this thread runs, if any; before each exchange of each client. */
+  /** Throws if the call that this thread runs, if any, was cancelled. */
+  public static void checkCall() {
+    Running running = RUNNING.get();
+    if (running != null) {
+      running.call.check();
+    }
+  }
+
+  /**
+   * Commits the call that this thread runs, if any: directly before each exchange of each client.
+   */
   public static void commitCall() {
     Running running = RUNNING.get();
     if (running != null) {

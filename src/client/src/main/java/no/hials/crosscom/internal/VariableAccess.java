@@ -19,8 +19,15 @@ public abstract class VariableAccess {
     return Objects.requireNonNull(instance, "no variable class is loaded");
   }
 
-  /** Installs the one implementation. */
-  public static void set(VariableAccess access) {
+  /**
+   * Installs the one implementation.
+   *
+   * @throws IllegalStateException if there is one
+   */
+  public static synchronized void set(VariableAccess access) {
+    if (instance != null) {
+      throw new IllegalStateException("the access to variables is set already");
+    }
     instance = access;
   }
 

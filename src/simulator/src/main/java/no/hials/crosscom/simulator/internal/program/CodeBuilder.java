@@ -10,8 +10,6 @@ import no.hials.crosscom.simulator.KrlExecutionException;
 final class CodeBuilder {
   private final List<CompiledCode.Slot> slots = new ArrayList<>();
   private int statement;
-  private boolean dropping;
-  private boolean dropped;
 
   /** A jump target, which can be set after the jump. */
   static final class Label {
@@ -27,28 +25,12 @@ final class CodeBuilder {
   }
 
   void emit(Position position, Instruction operation) {
-    if (dropping) {
-      dropped = true;
-    } else {
-      slots.add(new CompiledCode.Step(operation, position, statement));
-    }
+    slots.add(new CompiledCode.Step(operation, position, statement));
   }
 
   /** Adds a statement that is compiled when it is reached. */
   void emit(CompiledCode.Statements statements) {
     slots.add(statements);
-  }
-
-  /** Checks a statement without keeping its instructions; returns whether it has any. */
-  boolean drop(Runnable compilation) {
-    dropping = true;
-    dropped = false;
-    try {
-      compilation.run();
-    } finally {
-      dropping = false;
-    }
-    return dropped;
   }
 
   /** Returns the number of slots so far. */

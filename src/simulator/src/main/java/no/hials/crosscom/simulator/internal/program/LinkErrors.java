@@ -49,15 +49,13 @@ final class LinkErrors {
     }
   }
 
-  /**
-   * Begins or ends a statement.
-   *
-   * @param other the error of the statement around it
-   * @return the first error since the last call; null without one
-   */
-  @Nullable String exchange(@Nullable String other) {
+  /** Compiles a statement or a part of it; returns its first error, null without one. */
+  @Nullable String compile(Runnable compilation) {
+    String around = ofStatement;
+    ofStatement = null;
+    compilation.run();
     String found = ofStatement;
-    ofStatement = other;
+    ofStatement = around;
     return found;
   }
 

@@ -83,9 +83,9 @@ final class RoutineContext {
     errors.add(position, message);
   }
 
-  /** See {@link LinkErrors#exchange}. */
-  @Nullable String exchangeError(@Nullable String other) {
-    return errors.exchange(other);
+  /** Compiles a statement or a part of it; returns its first error, null without one. */
+  @Nullable String compile(Runnable compilation) {
+    return errors.compile(compilation);
   }
 
   /** Returns a routine with a source; null if it is unknown. */

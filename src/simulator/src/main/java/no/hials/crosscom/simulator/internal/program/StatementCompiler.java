@@ -195,14 +195,14 @@ final class StatementCompiler {
   private CompiledCode.@Nullable Statements straight(
       List<Statement> body, int index, CompiledCode.@Nullable Statements before) {
     Statement statement = body.get(index);
-    String around = context.exchangeError(null);
-    boolean executable = code.drop(() -> STATEMENTS.run(this, statement));
-    String error = context.exchangeError(around);
+    // its code is created again when it is reached
+    StatementCompiler check = new StatementCompiler(context, function);
+    String error = context.compile(() -> STATEMENTS.run(check, statement));
     if (error != null) {
       context.stopsAt(statement.position(), error);
       code.stop(code.size(), statement.position(), KrlExecutionException.NOT_ALLOWED, error);
       return null;
-    } else if (!executable) {
+    } else if (check.code.size() == 0) {
       return null;
     }
     int first = code.size() - index;
@@ -238,10 +238,8 @@ final class StatementCompiler {
 
   /** Compiles a statement or a part of it; the program stops there if it has an error. */
   private void stopAtError(Position position, Runnable compilation) {
-    String around = context.exchangeError(null);
     int begin = code.size();
-    compilation.run();
-    String error = context.exchangeError(around);
+    String error = context.compile(compilation);
     if (error != null) {
       context.stopsAt(position, error);
       code.stop(begin, position, KrlExecutionException.NOT_ALLOWED, error);

@@ -63,7 +63,7 @@ class InputsAndOutputsTest {
     assertThat(setInput(socket, "analog", "true", "number", "2", "value", "-0.5")).isEmpty();
     assertThat(pages.controller().variables().get("$ANIN[2]")).isEqualTo("-0.500000");
     assertThat(setInput(socket, "number", "4097", "value", "true"))
-        .isEqualTo("number must be 1.0 to 4096.0, is 4097");
+        .isEqualTo("number must be 1 to 4096, is 4097");
     assertThat(socket.call("audit").path("ok").path("lines").toString())
         .contains("set input", "$IN[7]", "the robot is locked", "$ANIN[2]");
   }

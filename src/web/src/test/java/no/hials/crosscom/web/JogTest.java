@@ -689,13 +689,13 @@ class JogTest {
     assertDone(begin(socket, "base"));
 
     assertThat(error(press(socket, "1", "6", "true", "50", "0")))
-        .isEqualTo("direction must be 0.0 to 5.0, is 6");
+        .isEqualTo("direction must be 0 to 5, is 6");
     assertThat(error(press(socket, "1", "0.5", "true", "50", "0")))
         .isEqualTo("direction must be a whole number, is 0.5");
     assertThat(error(press(socket, "1", "0", "true", "101", "0")))
-        .isEqualTo("percent must be 1.0 to 100.0, is 101");
+        .isEqualTo("percent must be 1 to 100, is 101");
     assertThat(error(press(socket, "1", "0", "true", "50", "1000")))
-        .isEqualTo("step must be 0.0 to 10.0, is 1000");
+        .isEqualTo("step must be 0 to 10, is 1000");
     assertThat(error(press(socket, "1", "0", "'yes'", "50", "0")))
         .isEqualTo("positive must be true or false");
     assertThat(error(press(socket, "1e300", "0", "true", "50", "0"))).startsWith("hold must be");

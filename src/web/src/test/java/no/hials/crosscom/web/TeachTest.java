@@ -162,7 +162,7 @@ class TeachTest {
     assertThat(set("teach-fault", "kind", "'explode'").path("error").asText())
         .isEqualTo("kind must be lose or cut");
     assertThat(set("teach-faults", "latency_ms", "-1").path("error").asText())
-        .isEqualTo("latency_ms must be 0.0 to 5000.0, is -1");
+        .isEqualTo("latency_ms must be 0 to 5000, is -1");
     assertThat(set("teach-program", "program", "'../x'").path("error").asText())
         .isEqualTo("program must be one of [actuator, ext_move_axis]");
   }

@@ -100,15 +100,15 @@ class WatchListTest {
       strings = {"''", "'../x'", "'a/b'", "'.hidden'", "'CON:'", "' a'", "'a '", "'a\\u0000'"})
   void aNameThatIsNoFileIsRefused(String name) throws Exception {
     assertThat(save(name, "250", "['X']").path("error").asText())
-        .startsWith("the name of a list")
-        .as(name);
+        .as(name)
+        .startsWith("the name of a list");
     assertThat(folder.resolve("lists")).doesNotExist();
   }
 
   @Test
   void wrongContentIsRefused() throws Exception {
     assertThat(save("'a'", "1", "['X']").path("error").asText())
-        .isEqualTo("period must be 20.0 to 60000.0, is 1");
+        .isEqualTo("period must be 20 to 60000 ms, is 1");
     assertThat(save("'a'", "250", "['X\\nY']").path("error").asText())
         .startsWith("a name must have 1 to 255 characters, no control characters");
     JsonNode wide =

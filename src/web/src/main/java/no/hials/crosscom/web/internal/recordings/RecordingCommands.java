@@ -89,7 +89,7 @@ public final class RecordingCommands implements AutoCloseable {
     if (names.isEmpty() || names.contains("")) {
       throw new CommandException("names must have at least one name, and none that is blank");
     }
-    Duration period = Duration.ofMillis((long) call.number("period", MIN_PERIOD, MAX_PERIOD));
+    Duration period = Duration.ofMillis(call.millis("period", MIN_PERIOD, MAX_PERIOD));
     String format = call.text("format");
     if (!format.equals("csv") && !format.equals("jsonl")) {
       throw new CommandException("format must be csv or jsonl");

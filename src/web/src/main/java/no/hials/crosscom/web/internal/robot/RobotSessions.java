@@ -68,7 +68,7 @@ public final class RobotSessions implements AutoCloseable {
 
     synchronized void put(String key, RobotSession robot, Call call) throws CommandException {
       List<String> names = call.texts("names", MAX_NAMES);
-      Duration period = Duration.ofMillis((long) call.number("period", 10, 60_000));
+      Duration period = Duration.ofMillis(call.millis("period", 10, 60_000));
       String list = call.text("list");
       remove(key);
       if (subscriptions.size() >= MAX_LISTS) {

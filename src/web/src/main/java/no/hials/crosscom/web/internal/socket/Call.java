@@ -61,6 +61,16 @@ public record Call(Viewer viewer, JsonNode message) {
 
   /** Returns a number within a range. */
   public double number(String field, double min, double max) throws CommandException {
+    return number(field, min, max, "");
+  }
+
+  /** Returns a whole number of milliseconds within a range; a fraction is cut off. */
+  public int millis(String field, int min, int max) throws CommandException {
+    return (int) number(field, min, max, " ms");
+  }
+
+  /** Returns a number within a range; {@code unit} follows the range in a message. */
+  private double number(String field, double min, double max, String unit) throws CommandException {
     JsonNode number = message.get(field);
     if (number == null || !number.isNumber()) {
       throw new CommandException(field + " must be a number");
@@ -68,9 +78,16 @@ public record Call(Viewer viewer, JsonNode message) {
     double value = number.doubleValue();
     if (!(value >= min && value <= max)) {
       throw new CommandException(
-          field + " must be " + min + " to " + max + ", is " + number.asText());
+          field
+              + (" must be " + text(min) + " to " + text(max) + unit)
+              + (", is " + number.asText()));
     }
     return value;
+  }
+
+  /** Returns the text of a number, without a fraction if it is whole. */
+  private static String text(double number) {
+    return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
   }
 
   /** Returns whether a field is true; false if the message does not have it. */

@@ -51,7 +51,7 @@ public final class WatchListCommands {
 
   private static WatchList list(Call call) throws CommandException {
     return WatchList.of(
-        (int) call.number("period", WatchList.MIN_PERIOD, WatchList.MAX_PERIOD),
+        call.millis("period", WatchList.MIN_PERIOD, WatchList.MAX_PERIOD),
         call.texts("names", WatchList.MAX_NAMES));
   }
 

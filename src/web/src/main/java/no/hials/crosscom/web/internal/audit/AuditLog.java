@@ -26,6 +26,10 @@ public final class AuditLog {
   private static final int MAX_RECENT = 200;
 
   private final Path file;
+
+  /** The lock for the file: a slow disk does not delay those who read {@link #recent}. */
+  private final Object writing = new Object();
+
   private final Deque<String> recent = new ArrayDeque<>();
   private final List<Consumer<String>> listeners = new CopyOnWriteArrayList<>();
 
@@ -62,11 +66,8 @@ public final class AuditLog {
   /** Writes a line. A change is made even if the line cannot be written, which is logged. */
   public void add(Entry entry) {
     String line = line(Instant.now(), entry);
-    synchronized (this) {
-      recent.addLast(line);
-      if (recent.size() > MAX_RECENT) {
-        recent.removeFirst();
-      }
+    synchronized (writing) {
+      remember(line);
       try {
         Files.createDirectories(file.toAbsolutePath().getParent());
         Files.writeString(
@@ -80,6 +81,13 @@ public final class AuditLog {
       }
     }
     listeners.forEach(listener -> listener.accept(line));
+  }
+
+  private synchronized void remember(String line) {
+    recent.addLast(line);
+    if (recent.size() > MAX_RECENT) {
+      recent.removeFirst();
+    }
   }
 
   /** Returns the last lines, the oldest first. */

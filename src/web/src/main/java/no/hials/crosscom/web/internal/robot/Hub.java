@@ -135,7 +135,12 @@ public final class Hub implements AutoCloseable {
   /** Starts and ends polls, so that they read what the subscriptions need. */
   private void regroup() {
     Map<Integer, SortedSet<String>> wanted = closed ? Map.of() : wanted();
-    polls.values().removeIf(poll -> !poll.isFor(wanted.get(poll.period)) && poll.end());
+    for (Poll poll : List.copyOf(polls.values())) {
+      if (!poll.isFor(wanted.get(poll.period))) {
+        polls.remove(poll.period);
+        poll.end();
+      }
+    }
     wanted.forEach((period, names) -> polls.computeIfAbsent(period, it -> new Poll(it, names)));
   }
 
@@ -204,11 +209,10 @@ public final class Hub implements AutoCloseable {
       return names.equals(others);
     }
 
-    /** Ends the readings; returns true. */
-    boolean end() {
+    /** Ends the readings. */
+    void end() {
       ended = true;
       watch.ifPresent(Watch::close);
-      return true;
     }
 
     private void sampled(Sample sample) {

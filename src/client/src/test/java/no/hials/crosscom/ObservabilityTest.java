@@ -109,7 +109,7 @@ class ObservabilityTest extends RobotTest {
     client.readText("$OV_PRO");
 
     ClientStatistics.Histogram times = client.statistics().accessTimes();
-    assertThat(times.percentile(100)).isBetween(Duration.ofMillis(300), Duration.ofMinutes(1));
+    assertThat(times.percentile(100)).isGreaterThanOrEqualTo(Duration.ofMillis(300));
     assertThat(times.percentile(0)).isLessThanOrEqualTo(times.percentile(50));
     assertThat(times.toString()).matches("Histogram\\[count=\\d+, median=\\S+ ms, 99%=\\S+ ms]");
     List<Long> counts = new ArrayList<>();

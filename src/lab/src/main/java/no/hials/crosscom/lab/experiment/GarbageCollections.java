@@ -5,6 +5,7 @@ import java.lang.management.GarbageCollectorMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.LongSupplier;
 import javax.management.ListenerNotFoundException;
 import javax.management.Notification;
 import javax.management.NotificationEmitter;
@@ -16,6 +17,7 @@ final class GarbageCollections implements AutoCloseable {
   /** ZGC reports whole collections under this name, during which the process keeps running. */
   private static final String NOT_PAUSES = "Cycles";
 
+  private final LongSupplier clock;
   private final List<Pause> pauses = new ArrayList<>();
   private final List<NotificationEmitter> emitters = new ArrayList<>();
   private final NotificationListener listener = (notification, handback) -> note(notification);
@@ -31,7 +33,16 @@ final class GarbageCollections implements AutoCloseable {
    */
   record Pause(double begin, double length) {}
 
+  /** Records the pauses by the system clock. */
   GarbageCollections() {
+    this(System::currentTimeMillis);
+  }
+
+  /**
+   * @param clock returns the time of {@link #begin}, ms of the system clock
+   */
+  GarbageCollections(LongSupplier clock) {
+    this.clock = clock;
     for (GarbageCollectorMXBean bean : ManagementFactory.getGarbageCollectorMXBeans()) {
       if (bean instanceof NotificationEmitter emitter && !bean.getName().endsWith(NOT_PAUSES)) {
         emitter.addNotificationListener(listener, null, null);
@@ -43,7 +54,7 @@ final class GarbageCollections implements AutoCloseable {
   /** Called at the first cycle of the loop; later calls have no effect. */
   synchronized void begin() {
     if (begin < 0) {
-      begin = System.currentTimeMillis();
+      begin = clock.getAsLong();
     }
   }
 

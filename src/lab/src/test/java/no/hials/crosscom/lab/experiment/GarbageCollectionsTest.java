@@ -2,37 +2,54 @@ package no.hials.crosscom.lab.experiment;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
-import java.util.concurrent.locks.LockSupport;
+import com.sun.management.GarbageCollectionNotificationInfo;
+import java.lang.management.GarbageCollectorMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import javax.management.Notification;
+import javax.management.NotificationEmitter;
+import javax.management.NotificationListener;
+import javax.management.openmbean.CompositeData;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 class GarbageCollectionsTest {
-  /** Both times are cut to whole milliseconds. */
-  private static final double CUT = 0.0025;
+  /** The notification of the collection that the test asks for. */
+  private final CompletableFuture<Notification> asked = new CompletableFuture<>();
+
+  private final NotificationListener listener =
+      (notification, handback) -> {
+        if (info(notification).getGcCause().equals("System.gc()")) {
+          asked.complete(notification);
+        }
+      };
+
+  private static GarbageCollectionNotificationInfo info(Notification notification) {
+    return GarbageCollectionNotificationInfo.from((CompositeData) notification.getUserData());
+  }
 
   @Test
   @Timeout(30)
-  void aPauseIsNotedAtTheTimeItWas() {
-    try (GarbageCollections pauses = new GarbageCollections()) {
+  void notesAPauseAtTheTimeOfItsNotification() throws Exception {
+    long begin = System.currentTimeMillis();
+    try (GarbageCollections pauses = new GarbageCollections(() -> begin)) {
       pauses.begin();
-      long start = System.nanoTime();
-      double before = (System.nanoTime() - start) / 1e9;
-      System.gc();
-      double after = (System.nanoTime() - start) / 1e9;
-
-      List<GarbageCollections.Pause> seen = pauses.seen(0);
-      while (seen.isEmpty()) { // they come on a thread of the JVM's own
-        LockSupport.parkNanos(1_000_000); // to spin would make garbage for one more collection
-        seen = pauses.seen(0);
+      for (GarbageCollectorMXBean bean : ManagementFactory.getGarbageCollectorMXBeans()) {
+        // notified after the listener of the pauses, which was there before
+        ((NotificationEmitter) bean).addNotificationListener(listener, null, null);
       }
-      assertThat(seen)
-          .allSatisfy(
-              pause -> {
-                assertThat(pause.begin()).isBetween(before - CUT, after + CUT);
-                assertThat(pause.begin() + pause.length()).isBetween(before - CUT, after + CUT);
-              });
-      assertThat(pauses.seen(10).get(0).begin()).isEqualTo(seen.get(0).begin() + 10);
+      System.gc();
+      Notification notification = asked.get(30, TimeUnit.SECONDS);
+      long length = info(notification).getGcInfo().getDuration();
+      double start = (notification.getTimeStamp() - length - begin) / 1e3;
+
+      assertThat(pauses.seen(0)).contains(new GarbageCollections.Pause(start, length / 1e3));
+      assertThat(pauses.seen(10)).contains(new GarbageCollections.Pause(start + 10, length / 1e3));
+    } finally {
+      for (GarbageCollectorMXBean bean : ManagementFactory.getGarbageCollectorMXBeans()) {
+        ((NotificationEmitter) bean).removeNotificationListener(listener);
+      }
     }
   }
 }

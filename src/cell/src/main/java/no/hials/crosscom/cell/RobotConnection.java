@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.function.Consumer;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
@@ -15,7 +16,8 @@ import org.jspecify.annotations.Nullable;
  *
  * @param robot the robot
  * @param client its client
- * @param simulation closed with the connection: the simulated controller, if the robot is simulated
+ * @param simulation closed with the connection: the simulated controller, if the robot is
+ *     simulated. Programs that know its type use {@link #simulation(Class)}
  */
 public record RobotConnection(
     Robot robot, CrossComClient client, @Nullable AutoCloseable simulation) implements Closeable {
@@ -53,6 +55,16 @@ public record RobotConnection(
   public static RobotConnection openLazily(Robot robot, Consumer<ClientConfig.Builder> settings)
       throws CrossComException {
     return new RobotConnection(robot, CrossComClient.lazy(config(robot, settings)), null);
+  }
+
+  /**
+   * Returns the simulated controller; empty if the robot is not simulated by this process.
+   *
+   * @param type the type of the simulated controllers that the program starts
+   * @throws ClassCastException if the simulated controller is of another type
+   */
+  public <S extends AutoCloseable> Optional<S> simulation(Class<S> type) {
+    return Optional.ofNullable(simulation).map(type::cast);
   }
 
   private static ClientConfig config(Robot robot, Consumer<ClientConfig.Builder> settings) {

@@ -75,6 +75,7 @@ class ArchitectureTest {
   private static final Set<String> CLIENT =
       Set.of("", "KRL", "c3", "internal", "networking", "variables");
 
+  /** The table of docs/decisions/09-modules.md, which has the reasons. */
   private static final Map<String, String> USED_MODULES =
       Map.ofEntries(
           entry("protocol", ""),
@@ -104,6 +105,14 @@ class ArchitectureTest {
     assertThat(uses())
         .filteredOn(use -> !usedBy(module(use.getOriginClass())).contains(module(target(use))))
         .isEmpty();
+  }
+
+  @Test
+  void theParserAndTheKinematicsUseOnlyTheValuesOfTheProtocol() {
+    assertThat(uses())
+        .filteredOn(use -> Set.of("lang", "kinematics").contains(module(use.getOriginClass())))
+        .extracting(use -> target(use).getPackageName())
+        .containsOnly(ROOT + ".protocol.value");
   }
 
   private static List<String> usedBy(String module) {

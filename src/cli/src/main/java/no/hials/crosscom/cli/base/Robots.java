@@ -54,7 +54,7 @@ public final class Robots {
 
   /** Returns the simulated controller of a connection; null if the robot is not simulated here. */
   public static @Nullable MockServer simulation(RobotConnection connection) {
-    return (MockServer) connection.simulation();
+    return connection.simulation(MockServer.class).orElse(null);
   }
 
   /** Starts a mock server that does not keep requests, since no command asks for them. */

@@ -119,7 +119,7 @@ public final class RobotSession implements AutoCloseable {
 
   /** Returns the simulated controller; empty if the robot is not simulated by this process. */
   public Optional<MockServer> simulation() {
-    return Optional.ofNullable((MockServer) connection.simulation());
+    return connection.simulation(MockServer.class);
   }
 
   /**

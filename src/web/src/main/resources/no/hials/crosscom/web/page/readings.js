@@ -1,4 +1,4 @@
-// What a view reads, and whether it may no longer be true.
+// The readings of a view, and whether they may no longer be true.
 
 import { useEffect, useState } from 'preact/hooks';
 import { watch } from './socket.js';

@@ -1,4 +1,4 @@
-// What is in place of a view until the robot has answered.
+// The text in place of a view until the robot has answered.
 
 import { h } from 'preact';
 import { header, staleReason, useSharedState } from './state.js';

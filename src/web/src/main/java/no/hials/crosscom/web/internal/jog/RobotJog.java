@@ -30,7 +30,7 @@ final class RobotJog {
   private String lastEnd = "";
 
   /**
-   * Creates it.
+   * Creates the jogging of a robot, which nobody owns yet.
    *
    * @param jogs called with each hold that is over
    * @param changed called after the owner or the loop has changed

@@ -1,4 +1,4 @@
-// What a teacher changes on a simulated robot: mode key, emergency stop, faults of the network, and
+// The controls with which a teacher changes a simulated robot: mode key, emergency stop, faults of the network, and
 // the variables that the robot follows; the robot and a lesson of the tutorial next to them.
 
 import { h } from 'preact';

@@ -154,10 +154,18 @@ final class MachineData {
   }
 
   private double speed(String index) throws MachineDataException {
-    String ratio = "$RAT_MOT_AX" + index;
-    double turns = field(ratio, "N") / field(ratio, "D");
+    double turns = ratio(index, "N") / ratio(index, "D");
     double speed = Math.abs(number("$VEL_AXIS_MA" + index) * DEGREES_PER_SECOND / turns);
-    return positive("$VEL_AXIS_MA" + index + " * 6 / " + ratio, speed);
+    return positive("$VEL_AXIS_MA" + index + " * 6 / $RAT_MOT_AX" + index, speed);
+  }
+
+  private double ratio(String index, String field) throws MachineDataException {
+    String name = "$RAT_MOT_AX" + index;
+    double number = field(name, field);
+    if (number == 0) {
+      throw new MachineDataException(name + "." + field, "a number other than 0", text(number));
+    }
+    return number;
   }
 
   /** A KR C2 states the time to the highest speed, a KR C4 does not. */

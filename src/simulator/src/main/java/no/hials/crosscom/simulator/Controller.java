@@ -20,7 +20,6 @@ import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.internal.core.ControllerCore;
 import no.hials.crosscom.simulator.internal.core.Pacemaker;
-import no.hials.crosscom.simulator.internal.core.RobotData;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -87,7 +86,7 @@ public final class Controller implements AutoCloseable {
             ? BEGIN
             : LocalDateTime.now(ZoneId.systemDefault());
     core = new ControllerCore(variables.scope(), model, begin);
-    core.loaded(new RobotData(variables.robotData(), variables.robotData()));
+    core.loaded(variables.robotData(variables.robotSigns()));
     loader = new ModuleLoader(core, variables);
     robot = new ProgramControl(core, Interpreter.ROBOT);
     submit = new ProgramControl(core, Interpreter.SUBMIT);
@@ -178,7 +177,8 @@ public final class Controller implements AutoCloseable {
    * <p>A list of the controller that sets {@code $TRAFONAME} has the machine data of a robot, which
    * replaces the present one. A robot that has not moved yet then stands at {@code XHOME} of a
    * loaded list, else at {@code $AXIS_HOME[1]}. If the machine data describe another kind of robot,
-   * such as a palletizer, a message says why, and the present one stays.
+   * such as a palletizer, a message says why, and the present one stays, with its machine data and,
+   * if XHOME is outside its limits, its home position.
    *
    * @param fileName the file's name, for messages
    * @param text its contents

@@ -254,8 +254,8 @@ final class ModuleLoader {
     if (report.anyRefused()) {
       return new Loaded(null, report);
     }
-    core.loaded(
-        new RobotData(DataLists.variablesSetBy(list, RobotData.SIGNS), variables.robotData()));
+    List<RobotData.Refusal> refusals =
+        core.loaded(variables.robotData(DataLists.variablesSetBy(list, RobotData.SIGNS)));
     if (!list.name().startsWith("$")) {
       core.withLibrary(
           library -> {
@@ -263,7 +263,23 @@ final class ModuleLoader {
             return library.put(list, mode);
           });
     }
-    return new Loaded(list, report);
+    return new Loaded(list, withRefusals(report, list, refusals));
+  }
+
+  /** Adds the data of the robot that are not used, each at its place in the list. */
+  private static LoadReport withRefusals(
+      LoadReport report, DataList list, List<RobotData.Refusal> refusals) {
+    if (refusals.isEmpty()) {
+      return report;
+    }
+    FileReport file = report.files().get(0);
+    List<KrlError> problems = new ArrayList<>(file.problems());
+    refusals.forEach(
+        refusal ->
+            problems.add(
+                new KrlError(DataLists.place(list, refusal.variable()), refusal.reason())));
+    return new LoadReport(
+        List.of(FileReport.loaded(file.path(), file.module(), DataLists.sorted(problems))));
   }
 
   private static String key(String name) {

@@ -27,6 +27,7 @@ import no.hials.crosscom.simulator.internal.data.DataListLoader;
 import no.hials.crosscom.simulator.internal.data.DataListWriter;
 import no.hials.crosscom.simulator.internal.data.DataLists;
 import no.hials.crosscom.simulator.internal.data.Declarations;
+import no.hials.crosscom.simulator.internal.data.SavedVariables;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
 import org.jspecify.annotations.Nullable;
@@ -51,7 +52,10 @@ public final class VariableTable {
   private volatile Map<String, VariableNote> notes = Map.of();
 
   /** The variables of {@link RobotData#SIGNS} that were loaded; replaced, never changed. */
-  private volatile Set<String> robotData = Set.of();
+  private volatile Set<String> robotSigns = Set.of();
+
+  /** The data of the robot before those of another one were loaded. */
+  private final SavedVariables robotBefore = new SavedVariables();
 
   private VariableTable() {}
 
@@ -96,7 +100,8 @@ public final class VariableTable {
     VariableTable copy = new VariableTable();
     copy.scope.copyFrom(scope);
     copy.notes = notes;
-    copy.robotData = robotData;
+    copy.robotSigns = robotSigns;
+    copy.robotBefore.copyFrom(robotBefore);
     return copy;
   }
 
@@ -177,6 +182,8 @@ public final class VariableTable {
   }
 
   private boolean take(DataList list, LoadingMode mode, List<KrlError> errors) {
+    Set<String> signs = DataLists.variablesSetBy(list, RobotData.SIGNS);
+    robotBefore.keep(scope, DataLists.variablesSetBy(list, RobotData.VARIABLES));
     DataListLoader.load(list, new Scope(scope), scope, mode, errors::add);
     if (mode == LoadingMode.STRICT && !errors.isEmpty()) {
       return false;
@@ -187,9 +194,8 @@ public final class VariableTable {
       all.putAll(added);
       notes = Map.copyOf(all);
     }
-    Set<String> signs = DataLists.variablesSetBy(list, RobotData.SIGNS);
-    signs.addAll(robotData);
-    robotData = Set.copyOf(signs);
+    signs.addAll(robotSigns);
+    robotSigns = Set.copyOf(signs);
     return true;
   }
 
@@ -471,13 +477,23 @@ public final class VariableTable {
   }
 
   /** Returns which variables of {@link RobotData#SIGNS} were loaded from a data list. */
-  Set<String> robotData() {
-    return robotData;
+  Set<String> robotSigns() {
+    return robotSigns;
+  }
+
+  /**
+   * Returns the data of a robot.
+   *
+   * @param now the variables of {@link RobotData#SIGNS} that were just loaded
+   */
+  RobotData robotData(Set<String> now) {
+    return new RobotData(now, robotSigns, robotBefore);
   }
 
   /** Forgets that data of a robot were loaded: a robot model describes it. */
   void forgetRobotData() {
-    robotData = Set.of();
+    robotSigns = Set.of();
+    robotBefore.forget();
   }
 
   /** Returns the scope of the global variables. */

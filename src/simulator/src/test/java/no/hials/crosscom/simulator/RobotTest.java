@@ -3,12 +3,16 @@ package no.hials.crosscom.simulator;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.time.Duration;
 import java.util.Optional;
 import no.hials.crosscom.kinematics.RobotModel;
+import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The robot that the controller moves. */
 final class RobotTest {
@@ -209,6 +213,142 @@ final class RobotTest {
                   + " $DH_5.DHART_A: expected 0, found 265");
       assertThat(cell.controller.model().maxSpeed(0)).isEqualTo(360);
       cell.start("PTP {A1 10}");
+    }
+  }
+
+  /** The machine data of a gantry, with a root, external axes and limits in mm. */
+  private static final String GANTRY =
+      MACHINE
+          .replace(
+              "ENDDAT",
+              """
+              DECL MAIN_AXIS $MAIN_AXIS=#SS
+              FRAME $ROBROOT={X 0.0,Y 0.0,Z 500.0,A 0.0,B 0.0,C 0.0}
+              FRAME $ERSYSROOT={X 100.0,Y 0.0,Z 500.0,A 0.0,B 0.0,C 0.0}
+              INT $EX_AX_NUM=1
+              DECL CP $VEL_MA={CP 9.0,ORI1 400.0,ORI2 400.0}
+              $AXIS_TYPE[7]=1
+              INT $RAISE_TIME[12]=77
+              DECL EX_KIN $EX_KIN={ET1 #ERSYS,ET2 #NONE,ET3 #NONE,ET4 #NONE,ET5 #NONE,ET6 #NONE}
+              SIGNAL $MOVE_ENABLE $IN[1025]
+              ENDDAT\
+              """)
+          .replace("$SOFTN_END[2]=-140.0", "$SOFTN_END[2]=0.0")
+          .replace("$SOFTP_END[2]=-5.0", "$SOFTP_END[2]=4000.0");
+
+  private static final String FAR_HOME =
+      "DEFDAT $CONFIG PUBLIC\nDECL E6AXIS XHOME={A1 500.0,A2 1000.0,A3 200.0}\nENDDAT\n";
+
+  /** Checks that a robot stands where it did, and has the variables of a new table. */
+  private static void assertIsTheDefault(Controller controller) {
+    VariableTable table = VariableTable.krc4();
+    for (String name :
+        new String[] {
+          "$TRAFONAME[]",
+          "$MODEL_NAME[]",
+          "$SOFTN_END[]",
+          "$SOFTP_END[]",
+          "$MAIN_AXIS",
+          "$VEL_AXIS_MA[]",
+          "$RAT_MOT_AX[1].D",
+          "$VEL_MA",
+          "$LENGTH_A",
+          "$TX3P3",
+          "$ROBROOT",
+          "$ROBROOT_C",
+          "$EX_AX_NUM",
+          "$AXIS_HOME[1]",
+          "XHOME"
+        }) {
+      assertThat(controller.variables().get(name)).as(name).isEqualTo(table.get(name));
+    }
+    assertThat(controller.variables().names()).doesNotContain("$RAISE_TIME");
+    assertThat(controller.axes()).isEqualTo(RobotModel.kr6r900sixx().home());
+    assertThat(controller.model().maximum(1)).isEqualTo(45);
+  }
+
+  @Test
+  void aRobotThatStaysKeepsAllOfItsMachineData() throws Exception {
+    try (Cell cell = new Cell(Cell.stepped(VariableTable.krc4()))) {
+      LoadReport report = cell.controller.load("$machine.dat", GANTRY, LoadingMode.LENIENT);
+
+      assertIsTheDefault(cell.controller);
+      assertThat(report.problems())
+          .extracting(KrlError::toString)
+          .containsExactly(
+              "$machine.dat:"
+                  + line(GANTRY, "$MAIN_AXIS")
+                  + ":1: the robot stays a KR 6 R900 sixx, its new data are not used: $MAIN_AXIS:"
+                  + " expected #NR, found #SS");
+      cell.start("PTP {A1 10,A2 -80}");
+      assertThat(
+              cell.controller.stepUntil(
+                  () -> cell.get("$AXIS_ACT.A2").equals("-80.0000"), Duration.ofSeconds(10)))
+          .isTrue();
+    }
+  }
+
+  private static int line(String text, String part) {
+    return (int) text.substring(0, text.indexOf(part)).lines().count();
+  }
+
+  @Test
+  void aHomeOfAnotherRobotIsNotUsed() throws Exception {
+    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
+      controller.load("$config.dat", FAR_HOME, LoadingMode.LENIENT);
+      LoadReport report = controller.load("$machine.dat", GANTRY, LoadingMode.LENIENT);
+
+      assertIsTheDefault(controller);
+      assertThat(report.problems())
+          .extracting(KrlError::message)
+          .contains("XHOME is not used: it is outside the limits of the KR 6 R900 sixx");
+    }
+    VariableTable table = VariableTable.krc4();
+    table.load("$machine.dat", GANTRY);
+    table.load("$config.dat", FAR_HOME);
+    try (Controller controller = Cell.stepped(table.copy())) {
+      assertIsTheDefault(controller);
+    }
+    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
+      controller.load("$machine.dat", GANTRY, LoadingMode.LENIENT);
+      LoadReport report = controller.load("$config.dat", FAR_HOME, LoadingMode.LENIENT);
+      assertIsTheDefault(controller);
+      assertThat(report.problems())
+          .extracting(KrlError::toString)
+          .containsExactly(
+              "$config.dat:2:1: XHOME is not used: it is outside the limits of the KR 6 R900"
+                  + " sixx");
+    }
+  }
+
+  @Test
+  void aHomeWithinTheLimitsIsUsedByTheRobotThatStays() throws Exception {
+    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
+      controller.load("$config.dat", CONFIG);
+      controller.load("$machine.dat", GANTRY);
+
+      assertThat(controller.axes()).isEqualTo(XHOME);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "$SOFTN_END[2]=-140.0 | $SOFTN_END[2]=-1.0 | $SOFTN_END[2]: expected less than",
+        "{N -1798,D 7} | {N -1798,D 0} | $RAT_MOT_AX[1].D: expected a number other than 0",
+        "D 1} | D 0} | $RAT_MOT_AX[2].D: expected a number other than 0"
+      })
+  void aWrongValueIsReportedAtItsPlace(String right, String wrong, String reason) {
+    String text = MACHINE.replace(right, wrong);
+    try (Controller controller = Cell.stepped(VariableTable.krc4())) {
+      LoadReport report = controller.load("$machine.dat", text, LoadingMode.LENIENT);
+
+      assertThat(report.problems()).hasSize(1);
+      KrlError problem = report.problems().get(0);
+      assertThat(problem.message()).contains("are not used: " + reason);
+      assertThat(text.lines().toList().get(problem.position().line() - 1)).contains(wrong);
+      assertIsTheDefault(controller);
     }
   }
 

@@ -161,12 +161,16 @@ public final class ControllerCore {
   /**
    * Replaces the robot after its machine data were loaded, and puts one that has not moved yet at
    * its home position. If they describe no robot that can be simulated, a message says why, and the
-   * robot stays.
+   * robot stays, with the data that it had.
+   *
+   * @return the reasons for which data are not used
    */
-  public void loaded(RobotData data) {
+  public List<RobotData.Refusal> loaded(RobotData data) {
+    List<RobotData.Refusal> refusals = new ArrayList<>();
     if (data.isMachineData() || data.isHome()) {
-      change(() -> robots.loaded(data, robot.state() == ProgramState.ACTIVE));
+      change(() -> refusals.addAll(robots.loaded(data, robot.state() == ProgramState.ACTIVE)));
     }
+    return refusals;
   }
 
   /** Runs work on the loaded modules under the lock. */

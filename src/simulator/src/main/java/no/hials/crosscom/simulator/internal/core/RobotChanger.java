@@ -1,5 +1,7 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.kinematics.MachineDataException;
 import no.hials.crosscom.kinematics.RobotModel;
@@ -8,10 +10,15 @@ import no.hials.crosscom.simulator.internal.motion.Joints;
 
 /** Replaces the robot when machine data are loaded, and puts it at its first position. */
 final class RobotChanger {
+  private static final String ACTIVE = "a program is active";
+
   private final SystemVariableAccess access;
   private final AdvanceRun motions;
   private final SystemVariables variables;
   private final OperatorPanel panel;
+
+  /** Whether the last machine data describe another robot than the one that is simulated. */
+  private boolean another;
 
   /** Where the robot stands until it moves for the first time. */
   private Joints start;
@@ -28,36 +35,57 @@ final class RobotChanger {
     start = motions.interpolator().joints();
   }
 
-  /** Uses loaded data; if they cannot be used, a message says why. */
-  void loaded(RobotData data, boolean active) {
-    if (active || !motions.idle()) {
-      refuse("a program is active");
-      return;
-    }
+  /** Uses loaded data; if they cannot be used, a message says why. Returns the reasons. */
+  List<RobotData.Refusal> loaded(RobotData data, boolean active) {
+    List<RobotData.Refusal> refusals = new ArrayList<>();
+    boolean idle = !active && motions.idle();
     boolean moved = !motions.interpolator().joints().equals(start);
-    try {
-      if (data.isMachineData()) {
-        RobotModel robot = data.robot(access);
-        motions.robot(robot);
-        variables.robot(robot);
-        data.name(access);
-      }
-    } catch (MachineDataException e) {
-      refuse(String.valueOf(e.getMessage()));
-      return;
+    if (data.isMachineData()) {
+      Optional<RobotData.Refusal> refusal = replace(data, idle);
+      another = refusal.isPresent();
+      refusal.ifPresent(refusals::add);
+    } else if (!idle) {
+      refusals.add(notUsed("XHOME", ACTIVE));
     }
-    motions.readLimits();
-    Optional<Joints> home = data.home(access, motions.model());
-    if (!moved && home.isPresent()) {
-      start = home.get();
-      motions.place(start);
+    if (another) {
+      data.restoreHome(access, motions.model()).ifPresent(refusals::add);
+    }
+    if (idle) {
+      motions.readLimits();
+      Optional<Joints> home = data.home(access, motions.model(), !another);
+      if (!moved && home.isPresent()) {
+        start = home.get();
+        motions.place(start);
+      }
+    }
+    refusals.forEach(
+        refusal ->
+            panel.show(Message.Kind.NOTIFICATION, OperatorPanel.OTHER_ROBOT, refusal.reason()));
+    return refusals;
+  }
+
+  /** Replaces the robot, or restores the data of the present one. */
+  private Optional<RobotData.Refusal> replace(RobotData data, boolean idle) {
+    try {
+      if (!idle) {
+        data.restore(access);
+        return Optional.of(notUsed("$TRAFONAME", ACTIVE));
+      }
+      RobotModel robot = data.robot(access);
+      motions.robot(robot);
+      variables.robot(robot);
+      data.name(access);
+      data.before().forget();
+      return Optional.empty();
+    } catch (MachineDataException e) {
+      data.restore(access);
+      return Optional.of(notUsed(e.variable(), String.valueOf(e.getMessage())));
     }
   }
 
-  private void refuse(String reason) {
-    panel.show(
-        Message.Kind.NOTIFICATION,
-        OperatorPanel.OTHER_ROBOT,
+  private RobotData.Refusal notUsed(String variable, String reason) {
+    return new RobotData.Refusal(
+        variable,
         "the robot stays a " + motions.model().name() + ", its new data are not used: " + reason);
   }
 }

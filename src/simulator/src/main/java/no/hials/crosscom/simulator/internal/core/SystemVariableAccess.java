@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator.internal.core;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
@@ -10,6 +11,7 @@ import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.RefusedException;
+import no.hials.crosscom.simulator.internal.data.SavedVariables;
 import no.hials.crosscom.simulator.internal.data.Scope;
 import no.hials.crosscom.simulator.internal.data.Storage;
 import no.hials.crosscom.simulator.internal.data.VariablePath;
@@ -111,6 +113,11 @@ final class SystemVariableAccess {
             ? PositionValues.toExternal(struct, Axis.ZERO)
             : Axis.ZERO;
     return new Joints(position(name, otherwise), external);
+  }
+
+  /** Restores variables as they were before data lists changed them. */
+  void restore(SavedVariables before, Set<String> names) {
+    before.restore(globals, names);
   }
 
   /** Writes a value, and returns whether that was possible. */

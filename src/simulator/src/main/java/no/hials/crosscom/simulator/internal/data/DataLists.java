@@ -13,8 +13,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import no.hials.crosscom.lang.DataList;
 import no.hials.crosscom.lang.Declaration;
+import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.lang.KrlError;
 import no.hials.crosscom.lang.KrlFile;
 import no.hials.crosscom.lang.KrlParser;
@@ -61,6 +64,8 @@ public final class DataLists {
                   .run(Declaration.EnumDeclaration.class, DataLists::isNoVariable)
                   .run(Declaration.Channel.class, DataLists::isNoVariable)
                   .run(Declaration.External.class, DataLists::isNoVariable));
+
+  private static final Pattern ELEMENT = Pattern.compile("^[^.\\[]*\\[(\\d+)]");
 
   private DataLists() {}
 
@@ -167,6 +172,38 @@ public final class DataLists {
     }
     found.retainAll(variables);
     return found;
+  }
+
+  /**
+   * Returns where a list last sets a variable, or an element of it.
+   *
+   * @param variable such as {@code $DH_5.DHART_A} or {@code $SOFTN_END[2]}
+   * @return the place of the list if the variable is not in it
+   */
+  public static Position place(DataList list, String variable) {
+    String name = Scope.key(variable.replaceFirst("[.\\[].*", ""));
+    Matcher element = ELEMENT.matcher(variable);
+    String index = element.find() ? element.group(1) : "";
+    Position place = list.position();
+    for (Declaration declaration : list.declarations()) {
+      Set<String> names = new HashSet<>();
+      SET.run(names, declaration);
+      if (names.contains(name) && (index.isEmpty() || isOf(declaration, index))) {
+        place = declaration.position();
+      }
+    }
+    return place;
+  }
+
+  /** Returns whether a declaration sets an element, or the whole array. */
+  private static boolean isOf(Declaration declaration, String index) {
+    if (!(declaration instanceof Declaration.InitialValue value)) {
+      return true;
+    }
+    List<Expression> indices = value.target().steps().get(0).indices();
+    return indices.isEmpty()
+        || (indices.get(0) instanceof Expression.IntLiteral number
+            && String.valueOf(number.value()).equals(index));
   }
 
   /**

@@ -15,6 +15,8 @@ import no.hials.crosscom.protocol.value.KrlEncoding;
  * Thread-safe, since it has no state.
  */
 public final class KrlParser {
+  private static final char DOS_END = 0x1A;
+
   private KrlParser() {}
 
   /**
@@ -34,11 +36,42 @@ public final class KrlParser {
    * @param fileName the name of the file in positions
    * @param text the contents of a {@code .src}, {@code .sub} or {@code .dat} file, with either kind
    *     of line end; a byte order mark is skipped, even a UTF-8 mark that was read as another
-   *     encoding
+   *     encoding; 0x1A at the end is skipped, and a form feed is a blank
    * @return the tree and the errors
    */
   public static ParseResult parse(String fileName, String text) {
-    return new FileBuilder(fileName, KrlEncoding.withoutMark(text)).build();
+    return new FileBuilder(fileName, plain(KrlEncoding.withoutMark(text))).build();
+  }
+
+  /**
+   * Removes the end of file of DOS, and replaces form feeds by blanks, which old editors write
+   * (assumed: docs/reference/krl-language.md#files).
+   */
+  private static String plain(String text) {
+    int end = text.length();
+    while (end > 0 && Character.isWhitespace(text.charAt(end - 1))) {
+      end--;
+    }
+    boolean dos = end > 0 && text.charAt(end - 1) == DOS_END;
+    while (dos && end > 0 && text.charAt(end - 1) == DOS_END) {
+      end--;
+    }
+    String rest = dos ? text.substring(0, end) : text;
+    return rest.indexOf('\f') < 0 ? rest : withoutFormFeeds(rest);
+  }
+
+  /** Replaces form feeds outside of texts in quotes. */
+  private static String withoutFormFeeds(String text) {
+    StringBuilder plain = new StringBuilder(text);
+    boolean quoted = false;
+    for (int i = 0; i < plain.length(); i++) {
+      char c = plain.charAt(i);
+      quoted = c != '\n' && quoted != (c == '"');
+      if (c == '\f' && !quoted) {
+        plain.setCharAt(i, ' ');
+      }
+    }
+    return plain.toString();
   }
 
   /**

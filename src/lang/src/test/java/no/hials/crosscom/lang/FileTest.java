@@ -256,4 +256,29 @@ class FileTest {
     assertThatThrownBy(() -> KrlParser.parse(folder.resolve("none.src")))
         .isInstanceOf(NoSuchFileException.class);
   }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"\u001A", "\r\n\u001A", "\u001A\u001A\r\n", "\f\u001A"})
+  void theEndOfFileOfDosIsSkipped(String end) {
+    ParseResult parsed = KrlParser.parse("x.src", "DEF X( )\r\n\fWAIT SEC 1\f\r\nEND" + end);
+
+    assertThat(parsed.errors()).isEmpty();
+    assertThat(parsed.file()).isPresent();
+  }
+
+  @Test
+  void aFormFeedInATextStays() {
+    DataList list =
+        (DataList)
+            KrlParser.parse("x.dat", "DEFDAT X\n\fCHAR C[9]=\"a\fb\"\f\nENDDAT\n")
+                .file()
+                .orElseThrow();
+
+    assertThat(list.declarations().toString()).contains("a\fb");
+  }
+
+  @Test
+  void theEndOfFileOfDosElsewhereIsAnError() {
+    assertThat(KrlParser.parse("x.src", "DEF X( )\n\u001A\nEND\n").errors()).isNotEmpty();
+  }
 }

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.util.ArrayList;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -46,11 +47,16 @@ public final class Archive {
   /** The files that cannot be used. */
   private final List<FileReport> refused = new ArrayList<>();
 
-  private Archive(List<List<ArchivedFile>> places) {
-    places.forEach(this::add);
+  /** The names of the zips and folders of the files, if there are several. */
+  private final IdentityHashMap<ArchivedFile, String> origins = new IdentityHashMap<>();
+
+  private Archive(List<Path> places, List<List<ArchivedFile>> contents) {
+    for (int i = 0; i < contents.size(); i++) {
+      add(contents.get(i), places.size() > 1 ? " of " + places.get(i) : "");
+    }
   }
 
-  private void add(List<ArchivedFile> all) {
+  private void add(List<ArchivedFile> all, String origin) {
     ArchiveLayout layout =
         new ArchiveLayout(
             all.stream().filter(f -> f.refusal() == null).map(ArchivedFile::path).toList());
@@ -63,9 +69,16 @@ public final class Archive {
         refuse(file, refusal);
         continue;
       }
+      origins.put(file, origin);
       ArchivedFile other = files.putIfAbsent(layout.place(file), file);
       if (other != null) {
-        refuse(file, "the archive has this file already, as " + other.path());
+        refuse(
+            file,
+            "the file"
+                + origin
+                + " is not used: the archive has it already, as "
+                + other.path()
+                + origins.get(other));
       }
     }
   }
@@ -98,7 +111,7 @@ public final class Archive {
    * @throws IOException if one cannot be read, or none has a program or a data list
    */
   public static Archive open(List<Path> places) throws IOException {
-    return new Archive(ArchiveReader.read(places));
+    return new Archive(places, ArchiveReader.read(places));
   }
 
   /** Returns the files by their places below {@code KRC:\}, ignoring case. */

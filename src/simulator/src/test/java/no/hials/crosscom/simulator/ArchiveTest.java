@@ -613,6 +613,39 @@ final class ArchiveTest {
   }
 
   @Test
+  void aZipWithAnUnsupportedMethodIsNotCalledDamaged() throws Exception {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    files.put("KRC/R1/Program/bzip.src", text("DEF BZIP( )\nEND\n"));
+    files.putAll(cell());
+    Path zip = asZip(files, StandardCharsets.UTF_8);
+    ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(zip)).order(ByteOrder.LITTLE_ENDIAN);
+    bytes.putShort(firstCentralHeader(bytes) + 10, (short) 12); // the method, bzip2
+    Files.write(zip, bytes.array());
+
+    assertThatThrownBy(() -> load(zip))
+        .isInstanceOf(IOException.class)
+        .hasMessageEndingWith(
+            "the zip has a compression method that is not supported; stored and deflated are");
+  }
+
+  @Test
+  void aFileOfTwoArchivesIsNamedWithBoth() throws Exception {
+    Path first = Files.createDirectory(folder.resolve("first"));
+    Path second = Files.createDirectory(folder.resolve("second"));
+    Files.writeString(first.resolve("a.src"), "DEF A( )\nEND\n");
+    Files.writeString(second.resolve("a.src"), "DEF A( )\nEND\n");
+
+    LoadReport report = controller.load(Archive.open(List.of(first, second)), LoadingMode.LENIENT);
+
+    assertThat(report.problems().get(0).message())
+        .isEqualTo(
+            "the file of "
+                + second
+                + " is not used: the archive has it already, as a.src of "
+                + first);
+  }
+
+  @Test
   void aFileWithAWrongChecksumIsRefusedAndTheRestIsLoaded() throws Exception {
     Map<String, byte[]> files = new LinkedHashMap<>();
     files.put("KRC/R1/Program/bit.src", text("DEF BIT( )\nPARTS=1\nEND\n"));

@@ -28,6 +28,9 @@ import org.jspecify.annotations.Nullable;
  * #MAX_TOTAL} bytes in all, so that a zip cannot fill the memory, programs and data lists first.
  */
 public final class ArchiveReader {
+  private static final String UNSUPPORTED =
+      "the zip has a compression method that is not supported; stored and deflated are";
+
   /** The largest file that is read: 32 MiB. */
   static final int MAX_FILE = 32 << 20;
 
@@ -121,6 +124,11 @@ public final class ArchiveReader {
     }
   }
 
+  /** Returns whether a message of the JDK, at opening or at reading, is about a method. */
+  private static boolean isMethod(String message) {
+    return message.contains("compression method");
+  }
+
   private static ZipFile openWithOldNames(Path file) throws IOException {
     boolean known = Charset.isSupported(ZIP_NAMES);
     try {
@@ -128,12 +136,13 @@ public final class ArchiveReader {
           file.toFile(), known ? Charset.forName(ZIP_NAMES) : StandardCharsets.ISO_8859_1);
     } catch (ZipException e) {
       String message = String.valueOf(e.getMessage());
-      FileSystemException problem =
-          problem(
-              file,
-              message.contains("encrypted")
-                  ? "the zip is encrypted"
-                  : "the zip is damaged or incomplete: " + message);
+      String reason = "the zip is damaged or incomplete: " + message;
+      if (message.contains("encrypted")) {
+        reason = "the zip is encrypted";
+      } else if (isMethod(message)) {
+        reason = UNSUPPORTED;
+      }
+      FileSystemException problem = problem(file, reason);
       problem.initCause(e);
       throw problem;
     }
@@ -243,7 +252,10 @@ public final class ArchiveReader {
         String limit = most == MAX_FILE ? "a file" : "what is left of the archive";
         return refused(source, limit + " has at most " + most + " bytes, has more");
       }
-    } catch (ZipException | EOFException e) {
+    } catch (ZipException e) {
+      String message = String.valueOf(e.getMessage());
+      return refused(source, isMethod(message) ? UNSUPPORTED : "the zip is damaged: " + message);
+    } catch (EOFException e) {
       return refused(source, "the zip is damaged: " + e.getMessage());
     } catch (IOException e) {
       return refused(source, "cannot be read: " + e.getMessage());

@@ -472,4 +472,28 @@ class ControllerMotionTest {
     cell.runToTheEnd();
     assertThat(controller.axes().get(0)).isCloseTo(stood + 10, within(1e-9));
   }
+
+  @Test
+  void aBaseThatIsTooFarAwayIsRefused() throws Exception {
+    try (Cell cell = new Cell()) {
+      cell.start("$BASE.X=1E30\nLIN_REL {Z -10}");
+      cell.until(() -> cell.controller.robot().state() == ProgramState.STOP);
+
+      assertThat(cell.message())
+          .isEqualTo("9106 test.src:3:1: $BASE.X must be within 1e+09 mm, is 1.0e+30");
+    }
+  }
+
+  @Test
+  void circlesOfInlineFormsSetTheirMode() throws Exception {
+    try (Cell cell = new Cell()) {
+      cell.run(
+          "DECL LDAT L\nL={VEL 2.0,CB {AUX_PT {ORI #CONSIDER},TARGET_PT {ORI #INTERPOLATE}}}\n"
+              + "$CIRC_MODE=SCIRC_M(L)");
+
+      assertThat(cell.get("$CIRC_MODE.AUX_PT.ORI")).isEqualTo("#CONSIDER");
+      assertThat(cell.controller.variables().describe("$CIRC_MODE").orElseThrow().type())
+          .isEqualTo("CIRC_MODE");
+    }
+  }
 }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.simulator.internal.core;
 
+import java.util.Locale;
 import java.util.Objects;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -27,6 +28,9 @@ import no.hials.crosscom.simulator.internal.program.MotionOrder;
  * $TOOL} and the end of the motion before, the speed by {@code $VEL}, {@code $ACC} and the like.
  */
 final class MotionResolver {
+  /** Positions of doubles are exact to 0.001 mm up to here, mm. */
+  private static final double FARTHEST = 1e9;
+
   private final SystemVariableAccess access;
   private final ExternalAxesData externalAxes;
   private final MotionSpeeds speeds;
@@ -99,6 +103,10 @@ final class MotionResolver {
 
   MotionCommand plan(MotionOrder order) throws KrlExecutionException {
     planned++;
+    if (order.block() != null || !PositionValues.isAxes(order.target())) {
+      requireComputable("$BASE", base());
+      requireComputable("$TOOL", tool());
+    }
     if (order.block() != null) {
       return blocks.plan(planned, order, order.block(), last);
     }
@@ -114,6 +122,24 @@ final class MotionResolver {
               pathApproximation(order.approximations()));
       case CIRC, CIRC_REL -> circular(order);
     };
+  }
+
+  /** Refuses a frame so far away that positions in it would lose their digits (assumed). */
+  private static void requireComputable(String name, Frame frame) throws KrlExecutionException {
+    double[] lengths = {frame.x(), frame.y(), frame.z()};
+    for (int i = 0; i < lengths.length; i++) {
+      if (!(Math.abs(lengths[i]) <= FARTHEST)) {
+        throw new KrlExecutionException(
+            MotionProblem.BAD_MOTION,
+            String.format(
+                Locale.ROOT,
+                "%s.%s must be within %.0e mm, is %.1e",
+                name,
+                "XYZ".charAt(i),
+                FARTHEST,
+                lengths[i]));
+      }
+    }
   }
 
   private MotionCommand pointToPoint(MotionOrder order) throws KrlExecutionException {

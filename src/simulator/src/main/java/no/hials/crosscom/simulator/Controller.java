@@ -478,7 +478,8 @@ public final class Controller implements AutoCloseable {
 
   /**
    * Returns the targets of the motions that have started in the last cycle, in their order; of a
-   * spline block all points. A short motion can start and end within a cycle.
+   * spline block all points. A short motion can start and end within a cycle. A motion that will
+   * end before its target, for example at a software limit, has none.
    *
    * @return the targets; empty if no motion has started
    */

@@ -304,6 +304,9 @@ public final class Interpolator {
   /** Returns the points of the motion that was added last: of a block all, else its end. */
   public List<Joints> lastPoints() {
     PathSegment last = path().last();
+    if (last != null && last.problem() != null) {
+      return List.of();
+    }
     return last == null ? List.of(plannedEnd) : last.points();
   }
 

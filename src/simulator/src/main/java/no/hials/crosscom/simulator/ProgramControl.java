@@ -2,6 +2,7 @@ package no.hials.crosscom.simulator;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import no.hials.crosscom.protocol.code.Interpreter;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlValue;
@@ -111,10 +112,38 @@ public final class ProgramControl {
     return levels.isEmpty() ? 0 : levels.get(0).position().line();
   }
 
+  /**
+   * Returns whether the program waits for a condition of {@code WAIT FOR}.
+   *
+   * @return true if it is active and has not gone on in the last cycle
+   */
+  public boolean waitsForCondition() {
+    return core.waitsForCondition(kind);
+  }
+
+  /**
+   * Returns the program, its state and its line. In a routine of another module the line has the
+   * module's name; a routine that is built in has the line of its call.
+   */
   @Override
   public String toString() {
     return program()
-        .map(name -> name + " #" + state().constant() + " line " + line())
+        .map(name -> name + " #" + state().constant() + " line " + lineOf(name))
         .orElse("no program");
+  }
+
+  private String lineOf(String program) {
+    List<KrlInterpreter.Level> levels = core.levels(kind);
+    Set<String> loaded = core.withLibrary(library -> library.names());
+    KrlInterpreter.Level shown =
+        levels.stream()
+            .filter(level -> loaded.contains(level.module()))
+            .findFirst()
+            .orElse(levels.isEmpty() ? null : levels.get(levels.size() - 1));
+    if (shown == null) {
+      return "0";
+    }
+    String line = String.valueOf(shown.position().line());
+    return shown.module().equalsIgnoreCase(program) ? line : line + " of " + shown.module();
   }
 }

@@ -306,4 +306,20 @@ class ControllerProgramsTest {
     assertThat(Integer.parseInt(cell.get("MYINT")) - count).isBetween(1, 1000);
     assertThat(cell.controller.time()).hasMillis(48);
   }
+
+  @Test
+  void theStateHasTheLineOfTheUsersModule() throws Exception {
+    try (Cell cell = new Cell()) {
+      cell.controller.load("sub.src", "DEF SUB()\n\n\nMSGQUIT(\"in the routine\")\nEND\n");
+      cell.start(";\nMSGQUIT(\"wait\")\nSUB()");
+      cell.until(() -> cell.get("$STOPMESS").equals("TRUE"));
+      cell.cycles(3);
+      assertThat(cell.controller.robot()).hasToString("TEST #P_ACTIVE line 3");
+
+      cell.controller.confirmAll();
+      cell.until(() -> cell.get("$STOPMESS").equals("TRUE"));
+      cell.cycles(3);
+      assertThat(cell.controller.robot()).hasToString("TEST #P_ACTIVE line 4 of SUB");
+    }
+  }
 }

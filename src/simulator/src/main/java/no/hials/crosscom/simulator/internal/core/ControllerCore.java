@@ -369,6 +369,10 @@ public final class ControllerCore {
     return locked(() -> motions.interpolator().axes());
   }
 
+  public boolean waitsForCondition(Interpreter kind) {
+    return locked(() -> interpreter(kind).waitsForCondition());
+  }
+
   public boolean standing() {
     return locked(() -> motions.interpolator().standing());
   }

@@ -217,6 +217,11 @@ public final class KrlInterpreter {
     return !machine.ended() && machine.condition(stop.condition(), stop.owner());
   }
 
+  /** Returns whether the program is active and waits for a condition. */
+  public boolean waitsForCondition() {
+    return state == ProgramState.ACTIVE && machine.waitsForCondition();
+  }
+
   /** Returns the value of {@code $PRO_STATE}. */
   public ProgramState state() {
     return state;

@@ -46,6 +46,7 @@ final class KrlVirtualMachine {
   private int calls;
   private @Nullable CallFrame top;
   private boolean waiting;
+  private boolean waitsForCondition;
   private boolean halted;
   private int executed;
 
@@ -126,6 +127,7 @@ final class KrlVirtualMachine {
 
   private void beginCycle() {
     waiting = false;
+    waitsForCondition = false;
     halted = false;
     faultPosition = null;
     executed = 0;
@@ -349,9 +351,14 @@ final class KrlVirtualMachine {
     frame().jump(target);
   }
 
-  /** Ends this cycle. */
-  void pause() {
+  /** Ends this cycle because a condition is false. */
+  void awaitCondition() {
     waiting = true;
+    waitsForCondition = true;
+  }
+
+  boolean waitsForCondition() {
+    return waitsForCondition;
   }
 
   /** Ends this cycle; the instruction is executed again in the next. */

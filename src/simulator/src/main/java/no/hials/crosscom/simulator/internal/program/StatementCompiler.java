@@ -600,7 +600,7 @@ final class StatementCompiler {
     code.mark(look);
     expressions.compile(wait.condition());
     code.jumpIf(position, end);
-    code.emit(position, KrlVirtualMachine::pause);
+    code.emit(position, KrlVirtualMachine::awaitCondition);
     code.jump(position, look);
     code.mark(end);
   }

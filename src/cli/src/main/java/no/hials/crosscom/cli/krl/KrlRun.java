@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -14,12 +15,14 @@ import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.Converters;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LoadedFiles;
+import no.hials.crosscom.cli.base.MessageFeed;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.code.ProgramState;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
+import no.hials.crosscom.simulator.Message;
 import no.hials.crosscom.simulator.MotionTarget;
 import no.hials.crosscom.simulator.SimulationClock;
 import no.hials.crosscom.simulator.VariableTable;
@@ -34,7 +37,8 @@ import picocli.CommandLine.Parameters;
     description = {
       "Runs a program to its end on a simulated controller, and prints where the robot went.",
       "The simulated time passes as fast as possible. Start is pressed again when the program"
-          + " halts without a message that stops it."
+          + " halts without a message that stops it. Messages of the program are confirmed, and"
+          + " each dialogue is answered by its first key; stderr has the messages and answers."
     },
     footer = {
       "",
@@ -99,6 +103,9 @@ final class KrlRun extends ConsoleCommand {
   @Option(names = "--strict", description = "End with an error if a file has one.")
   private boolean strict;
 
+  /** The state message while a BCO run is due, as before every program. */
+  private static final int COINCIDENCE_DUE = 309;
+
   private List<String> axes = List.of();
 
   @Override
@@ -122,8 +129,9 @@ final class KrlRun extends ConsoleCommand {
       }
       axes = axes(controller);
       console().print(String.join(",", titles()));
-      boolean ended = runToEnd(controller);
-      controller.messages().forEach(message -> console().hint(message.toString()));
+      MessageFeed messages = new MessageFeed(controller);
+      boolean ended = runToEnd(controller, messages);
+      show(messages);
       if (!ended) {
         console().error("the program did not reach its end: " + controller);
       }
@@ -141,7 +149,7 @@ final class KrlRun extends ConsoleCommand {
     return loaded.loadOrFind(controller, file, archive != null);
   }
 
-  private boolean runToEnd(Controller controller) {
+  private boolean runToEnd(Controller controller, MessageFeed messages) {
     long rowCycles = period == null ? 1 : period.dividedBy(CYCLE);
     long cycles = limit.dividedBy(CYCLE);
     for (long cycle = 0; cycle < cycles; cycle++) {
@@ -164,12 +172,47 @@ final class KrlRun extends ConsoleCommand {
         print(controller, names().map(controller.variables()::get));
       }
       controller.step(CYCLE);
+      show(messages);
+      operate(controller);
       if (period == null) {
         controller.startedMotions().forEach(motion -> print(controller, values(motion)));
       }
     }
-    console().hint("the simulated time of --limit is over");
+    console().hint("the simulated time of --limit is over" + waitsFor(controller));
     return false;
+  }
+
+  private void show(MessageFeed messages) {
+    for (Message message : messages.poll()) {
+      if (message.kind() != Message.Kind.STATUS || message.number() != COINCIDENCE_DUE) {
+        console().hint(MessageFeed.text(message));
+      }
+    }
+  }
+
+  /** Answers dialogues, and confirms messages of a program that waits for it. */
+  private void operate(Controller controller) {
+    Optional<Message> dialogue = controller.dialogue();
+    if (dialogue.isPresent()) {
+      List<String> keys = dialogue.get().keys();
+      int key = 1;
+      while (keys.get(key - 1).isEmpty()) {
+        key++;
+      }
+      controller.answer(key);
+      console().hint("answered: " + key + " " + keys.get(key - 1));
+    }
+    // an error has stopped the program, and stays
+    if (controller.robot().state() == ProgramState.ACTIVE
+        && controller.variables().get("$STOPMESS").equals("TRUE")) {
+      console().hint("confirmed messages: " + controller.confirmAll());
+    }
+  }
+
+  private static String waitsFor(Controller controller) {
+    return controller.robot().waitsForCondition()
+        ? "; the program waits for a condition (WAIT FOR): " + controller.robot()
+        : "";
   }
 
   /** Returns the fields of the robot's axes and of the external axes that exist. */

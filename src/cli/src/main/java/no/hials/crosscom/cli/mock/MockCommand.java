@@ -51,6 +51,9 @@ import picocli.CommandLine.Option;
           + " simulated time, mode, programs, axes in degrees, clients and requests. Without a"
           + " terminal, mode and programs are printed once, at the start.",
       "",
+      "On a terminal the number of a key and Enter answer a dialogue of the program, and Enter"
+          + " alone confirms messages. A pipe as standard input is not read.",
+      "",
       "FAULT is NAME[:ARGUMENT][@REQUESTS][@VARIABLE][%%PROBABILITY]:",
       "  drop@3                 no answer to the third request",
       "  delay:200ms@$POS_ACT   requests for $POS_ACT take 200 ms",
@@ -155,8 +158,8 @@ public final class MockCommand extends ConsoleCommand {
   @Option(
       names = "--strict",
       description =
-          "End with an error if a file has one. Default: the rest of the file is loaded, and a program"
-              + " stops where it reaches what is not understood.")
+          "End with an error if a file has one. Default: the rest of the file is loaded, and a"
+              + " program stops where it reaches what is not understood.")
   private boolean strict;
 
   @Option(
@@ -176,9 +179,9 @@ public final class MockCommand extends ConsoleCommand {
       names = "--program",
       paramLabel = "FILE.src",
       description =
-          "Load a program (.src, or .sub for the submit interpreter) and the data list of the"
-              + " same name next to it, or use one of --archive. Can be repeated; the first .src and"
-              + " the first .sub are selected.")
+          "Load a program (.src, or .sub for the submit interpreter) and the data list of the same"
+              + " name next to it, or use one of --archive. Can be repeated; the first .src and the"
+              + " first .sub are selected.")
   private List<Path> programs = new ArrayList<>();
 
   @Option(

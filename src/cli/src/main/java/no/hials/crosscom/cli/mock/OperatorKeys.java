@@ -2,11 +2,8 @@ package no.hials.crosscom.cli.mock;
 
 import java.io.IOException;
 import java.io.Reader;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Consumer;
 import no.hials.crosscom.simulator.Controller;
-import no.hials.crosscom.simulator.Message;
 
 /**
  * Reads the terminal of a simulated controller: the number of a key answers the oldest dialogue, an
@@ -60,16 +57,5 @@ final class OperatorKeys {
     } catch (IllegalStateException | IllegalArgumentException e) {
       hints.accept(String.valueOf(e.getMessage()));
     }
-  }
-
-  /** Returns a message with its keys. */
-  static String text(Message message) {
-    List<String> keys = new ArrayList<>();
-    for (int i = 0; i < message.keys().size(); i++) {
-      if (!message.keys().get(i).isEmpty()) {
-        keys.add((i + 1) + " " + message.keys().get(i));
-      }
-    }
-    return message + (keys.isEmpty() ? "" : " [" + String.join(", ", keys) + "]");
   }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.cli.mock;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
@@ -11,10 +10,10 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.LiveLine;
+import no.hials.crosscom.cli.base.MessageFeed;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.Message;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Shows the state of a simulated controller: its messages line by line on stderr, and on a terminal
@@ -37,8 +36,7 @@ final class StatusLine implements AutoCloseable {
             return thread;
           });
 
-  private @Nullable Message lastShown;
-  private List<Message> shownStates = List.of();
+  private final MessageFeed messages;
   private boolean closed;
 
   /**
@@ -51,6 +49,7 @@ final class StatusLine implements AutoCloseable {
     this.server = server;
     this.isShown = isShown;
     this.line = new LiveLine(console.out(), true);
+    this.messages = new MessageFeed(server.controller());
     this.keys = new OperatorKeys(console.in(), server.controller(), console::hint);
   }
 
@@ -72,26 +71,11 @@ final class StatusLine implements AutoCloseable {
   }
 
   private void showMessages() {
-    List<Message> all = server.controller().messages();
-    List<Message> states = all.stream().filter(StatusLine::isState).toList();
-    List<Message> messages = all.stream().filter(message -> !isState(message)).toList();
-    // the controller keeps only the last messages; if the shown ones are gone, all are new
-    int from = lastShown == null ? 0 : messages.lastIndexOf(lastShown) + 1;
-    List<Message> fresh = messages.subList(from, messages.size());
-    List<Message> freshStates = new ArrayList<>(states);
-    freshStates.removeAll(shownStates);
-    shownStates = states;
-    if (fresh.isEmpty() && freshStates.isEmpty()) {
-      return;
+    List<Message> fresh = messages.poll();
+    if (!fresh.isEmpty()) {
+      line.clear();
+      fresh.forEach(message -> console.hint(MessageFeed.text(message)));
     }
-    line.clear();
-    fresh.forEach(message -> console.hint(OperatorKeys.text(message)));
-    freshStates.forEach(message -> console.hint(OperatorKeys.text(message)));
-    lastShown = fresh.isEmpty() ? lastShown : fresh.get(fresh.size() - 1);
-  }
-
-  private static boolean isState(Message message) {
-    return message.kind() == Message.Kind.STATUS;
   }
 
   /** Returns the line: simulated time, mode and programs, axes, clients and requests. */

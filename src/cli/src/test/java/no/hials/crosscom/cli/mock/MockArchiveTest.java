@@ -326,6 +326,68 @@ class MockArchiveTest {
   }
 
   @Test
+  void runAnswersDialoguesAndConfirmsMessagesOfTheProgram() throws Exception {
+    Path program =
+        Files.writeString(
+            dir.resolve("asks.src"),
+            """
+            DEF ASKS( )
+            INT ANSWER
+            MSGDIALOG(ANSWER,"Go on?",,,,"Yes","No")
+            MSGNOTIFY("answer %1",,ANSWER)
+            MSGQUIT("please confirm")
+            PTP {A1 10}
+            END
+            """);
+
+    Cli.Result result = Cli.run("krl", "run", program.toString());
+
+    assertThat(result.code()).as(result.err()).isZero();
+    assertThat(result.lines()).hasSize(2);
+    assertThat(result.errLines())
+        .containsSubsequence(
+            "0 Go on? [2 Yes, 3 No]",
+            "answered: 2 Yes",
+            "0 answer 6",
+            "0 please confirm",
+            "confirmed messages: 1");
+  }
+
+  @Test
+  void runNamesTheLineThatStillWaitsAtTheLimit() throws Exception {
+    Path program =
+        Files.writeString(
+            dir.resolve("waits.src"), "DEF WAITS( )\nPTP {A1 1}\nWAIT FOR $IN[7]\nEND\n");
+
+    Cli.Result result = Cli.run("krl", "run", program.toString(), "--limit", "60s");
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.errLines())
+        .contains(
+            "the simulated time of --limit is over; the program waits for a condition (WAIT FOR):"
+                + " WAITS #P_ACTIVE line 3");
+  }
+
+  @Test
+  void runPrintsNoRowOfAMotionThatCannotReachItsTarget() throws Exception {
+    Path program =
+        Files.writeString(
+            dir.resolve("far.src"),
+            """
+            DEF FAR( )
+            PTP {A1 0,A2 -90,A3 90,A4 0,A5 45,A6 0}
+            LIN_REL {X 100000}
+            END
+            """);
+
+    Cli.Result result = Cli.run("krl", "run", program.toString());
+
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(result.lines()).hasSize(2);
+    assertThat(result.err()).contains("far.src:3:1: ");
+  }
+
+  @Test
   void runRefusesAPeriodBetweenTwoCycles() {
     Cli.run("krl", "run", "pick.src", "--archive", zip, "--period", "20ms")
         .fails(2)

@@ -6,6 +6,7 @@ import java.io.StringReader;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import no.hials.crosscom.cli.base.MessageFeed;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -40,7 +41,7 @@ class OperatorKeysTest {
   void answersADialogue() throws Exception {
     Controller controller = start("MsgDialog(MYINT,\"which?\", , ,\"left\",\"right\")");
 
-    assertThat(OperatorKeys.text(controller.messages().get(0)))
+    assertThat(MessageFeed.text(controller.messages().get(0)))
         .isEqualTo("0 which? [1 left, 2 right]");
     type("right\n3\n2\n");
     assertThat(server.variables().get("MYINT")).isEqualTo("6");

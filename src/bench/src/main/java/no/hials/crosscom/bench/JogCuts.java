@@ -223,11 +223,13 @@ public final class JogCuts {
   private static final class Page implements WebSocket.Listener {
     private static final int BEAT_MILLIS = 50;
     private static final Pattern MARK = Pattern.compile("\"mark\":(\\d+)");
+    private static final Pattern CLOCK = Pattern.compile("^\\{\"id\":0,\"clock\":(\\d+)");
     private static final Pattern ERROR = Pattern.compile("\"error\":\"([^\"]*)\"");
 
     private final CountDownLatch decided = new CountDownLatch(1);
     private final StringBuilder part = new StringBuilder();
     private volatile long mark = -1;
+    private volatile long clock;
     private volatile String result = "not moving within 10 s";
     private volatile @Nullable ScheduledFuture<?> beats;
     private int beat;
@@ -258,11 +260,17 @@ public final class JogCuts {
 
     private String hold(WebSocket socket, ScheduledExecutorService timer, boolean positive)
         throws InterruptedException {
-      send(socket, "\"id\":1,\"do\":\"lock\",\"robot\":\"cell\",\"locked\":false");
+      send(socket, "\"id\":0,\"do\":\"ping\"");
+      if (!answered.await(LONGEST.toSeconds(), TimeUnit.SECONDS)) {
+        return "no answer to ping";
+      }
+      String now = ",\"clock\":" + clock;
+      send(socket, "\"id\":1,\"do\":\"lock\",\"robot\":\"cell\",\"locked\":false" + now);
       send(socket, "\"id\":2,\"do\":\"jog-ask\",\"robot\":\"cell\"");
       send(
           socket,
-          "\"id\":3,\"do\":\"jog-open\",\"robot\":\"cell\",\"space\":\"base\",\"confirmed\":true");
+          "\"id\":3,\"do\":\"jog-open\",\"robot\":\"cell\",\"space\":\"base\",\"confirmed\":true"
+              + now);
       if (!opened.await(LONGEST.toSeconds(), TimeUnit.SECONDS)) {
         return "no answer to jog-open";
       }
@@ -277,6 +285,7 @@ public final class JogCuts {
       return result;
     }
 
+    private final CountDownLatch answered = new CountDownLatch(1);
     private final CountDownLatch opened = new CountDownLatch(1);
 
     private void beat(WebSocket socket) {
@@ -303,6 +312,7 @@ public final class JogCuts {
 
     private void decide(String words) {
       result = words;
+      answered.countDown();
       opened.countDown();
       decided.countDown();
     }
@@ -315,7 +325,11 @@ public final class JogCuts {
         part.setLength(0);
         Matcher error = ERROR.matcher(text);
         Matcher newMark = MARK.matcher(text);
-        if (text.startsWith("{\"id\":3,\"ok\"")) {
+        Matcher newClock = CLOCK.matcher(text);
+        if (newClock.find()) {
+          clock = Long.parseLong(newClock.group(1));
+          answered.countDown();
+        } else if (text.startsWith("{\"id\":3,") && text.contains("\"ok\"")) {
           opened.countDown();
         } else if (text.startsWith("{\"id\":") && error.find()) {
           end();

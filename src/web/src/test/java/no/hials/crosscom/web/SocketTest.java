@@ -15,6 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -252,7 +253,9 @@ class SocketTest {
           List.of(
               "{'id':900,'do':'read','robot':'mock','name':'MYREAL'}",
               "{'id':901,'do':'read','robot':'mock','name':'MYREAL'}",
-              "{'id':902,'do':'write','robot':'mock','name':'MYINT','value':'42','confirmed':true}",
+              "{'id':902,'do':'write','robot':'mock','name':'MYINT','value':'42','confirmed':true,'clock':"
+                  + socket.clock()
+                  + "}",
               "{'id':903,'do':'lock','robot':'mock','locked':true}")) {
         socket.send(message.replace('\'', '"'));
       }
@@ -260,8 +263,33 @@ class SocketTest {
       assertThat(socket.await(it -> it.path("id").asInt() >= 900).path("id").asInt())
           .isEqualTo(903);
       assertThat(socket.await(it -> it.path("id").asInt() == 902).path("error").asText())
-          .isEqualTo("not done: it waited for other commands for too long");
+          .isEqualTo("not done: it waited too long, in the network or behind other commands");
       assertThat(pages.controller().variables().get("MYINT")).isEqualTo("41");
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "'clock':-10000 | not done: it waited too long, in the network or behind other commands",
+        "'clock':'now' | clock must be that of an answer",
+        "'name':'MYINT' | clock must be that of an answer"
+      })
+  void aChangeThatIsNotNewIsNotMade(String clock, String reason) throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      for (String change :
+          List.of(
+              "'do':'write','name':'MYINT','value':'42','confirmed':true",
+              "'do':'lock','locked':false")) {
+        String message = "{'id':900,'robot':'mock'," + change + "," + clock + "}";
+        socket.send(message.replace('\'', '"'));
+
+        assertThat(socket.await(it -> it.path("id").asInt() == 900).path("error").asText())
+            .isEqualTo(reason);
+      }
+      assertThat(pages.controller().variables().get("MYINT")).isNotEqualTo("42");
     }
   }
 

@@ -27,6 +27,7 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
   private final StringBuilder part = new StringBuilder();
   private final CompletableFuture<Integer> closed = new CompletableFuture<>();
   private WebSocket socket;
+  private volatile long clock = -1;
   private int number;
 
   private TestSocket() {}
@@ -75,7 +76,9 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
     part.append(data);
     if (last) {
       try {
-        received.add(MAPPER.readTree(part.toString()));
+        JsonNode message = MAPPER.readTree(part.toString());
+        clock = message.path("clock").asLong(clock);
+        received.add(message);
       } catch (IOException e) {
         throw new AssertionError(part.toString(), e);
       }
@@ -106,13 +109,23 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
    * answer.
    */
   public JsonNode call(String command, String... fields) throws InterruptedException {
-    ObjectNode message = MAPPER.createObjectNode().put("id", ++number).put("do", command);
+    ObjectNode message =
+        MAPPER.createObjectNode().put("id", ++number).put("do", command).put("clock", clock());
     for (int i = 0; i < fields.length; i += 2) {
       message.set(fields[i], json(fields[i + 1]));
     }
     int own = number;
     send(message.toString());
     return await(it -> it.path("id").asInt() == own);
+  }
+
+  /** Returns the clock time of the latest answer; of a ping if there was none. */
+  public long clock() throws InterruptedException {
+    if (clock < 0) {
+      send("{\"id\":-1,\"do\":\"ping\"}");
+      await(it -> it.path("id").asInt() == -1);
+    }
+    return clock;
   }
 
   /** Parses JSON with ' in place of ". */

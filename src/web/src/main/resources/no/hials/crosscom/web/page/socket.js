@@ -4,7 +4,10 @@
 import { changed, forgetServerTime, noteServerTime, state } from './state.js';
 
 const LONGEST_WAIT = 10_000;
-const PING_PERIOD = 3000;
+const PING_PERIOD = 1000;
+
+// a silent server is given up after this time, in ms: later than it refuses commands as too old
+const LONGEST_SILENCE = 4000;
 
 const token = document.querySelector('meta[name=socket-token]').content;
 const pending = new Map();
@@ -14,6 +17,12 @@ let socket = null;
 let number = 0;
 let attempts = 0;
 
+// the server's time in its latest answer
+let clock;
+
+// when the first ping since that answer was sent, by performance.now()
+let askedAt = null;
+
 /** Opens the socket. */
 export function connect() {
   const origin = location.origin.replace(/^http/, 'ws');
@@ -21,6 +30,8 @@ export function connect() {
   const own = socket;
   socket.onopen = () => {
     attempts = 0;
+    clock = undefined;
+    askedAt = null;
     state.socket = 'open';
     forgetServerTime();
     changed();
@@ -100,7 +111,7 @@ export function call(name, fields = {}) {
       refuse: done((error) => reject(new Error(error))),
       reject: done(unanswered),
     });
-    socket.send(JSON.stringify({ id, do: name, ...fields }));
+    socket.send(JSON.stringify({ id, do: name, clock, ...fields }));
   });
 }
 
@@ -115,6 +126,8 @@ export function tell(name, fields = {}) {
 
 function receive(message) {
   if (message.event === undefined) {
+    clock = message.clock;
+    askedAt = null;
     const waiting = pending.get(message.id);
     pending.delete(message.id);
     if (message.error === undefined) {
@@ -177,17 +190,15 @@ document.addEventListener('visibilitychange', () => tellVisible().catch(() => {}
 
 // finds out that the network is gone, which a socket alone notices after minutes
 setInterval(() => {
-  if (state.socket === 'open') {
-    const asked = socket;
-    const timer = setTimeout(() => {
-      if (asked === socket) {
-        asked.onclose = null;
-        asked.close();
-        lost();
-      }
-    }, PING_PERIOD);
-    call('ping')
-      .catch(() => {})
-      .finally(() => clearTimeout(timer));
+  if (state.socket !== 'open') {
+    return;
   }
+  if (askedAt !== null && performance.now() - askedAt > LONGEST_SILENCE) {
+    socket.onclose = null;
+    socket.close();
+    lost();
+    return;
+  }
+  askedAt ??= performance.now();
+  call('ping').catch(() => {});
 }, PING_PERIOD);

@@ -181,6 +181,7 @@ public final class RobotSessions implements AutoCloseable {
     if (locked) {
       robot.lock().close();
     } else {
+      call.checkAge();
       robot.lock().open(who);
     }
     audit.add(

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,6 +15,35 @@ import org.jspecify.annotations.Nullable;
  */
 public record Call(Viewer viewer, JsonNode message) {
   private static final int MAX_CHARACTERS = 4096;
+
+  /**
+   * A clock time that is older, in ms, is too old. A page gives up later: 4 s after the last answer
+   * (see socket.js).
+   */
+  private static final long MAX_AGE = 3500;
+
+  private static final long START = System.nanoTime();
+
+  /** Returns the time of the clock for commands, in ms. */
+  static long now() {
+    return TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - START);
+  }
+
+  /**
+   * Checks that the page has heard from this server shortly before it sent the command.
+   *
+   * @throws CommandException if the command has no clock time, or an old one
+   */
+  public void checkAge() throws CommandException {
+    JsonNode clock = message.path("clock");
+    if (!clock.isIntegralNumber()) {
+      throw new CommandException("clock must be that of an answer");
+    }
+    if (now() - clock.longValue() > MAX_AGE) {
+      throw new CommandException(
+          "not done: it waited too long, in the network or behind other commands");
+    }
+  }
 
   /** Returns a text of at most 4096 characters. */
   public String text(String field) throws CommandException {

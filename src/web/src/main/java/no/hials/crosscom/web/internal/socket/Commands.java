@@ -10,7 +10,14 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The commands of pages by their names. Handlers are added before the first socket is open. */
+/**
+ * The commands of pages by their names. Handlers are added before the first socket is open.
+ *
+ * <p>Each answer has the time of the clock here. A command that changes something has the latest
+ * time that its page has got, and is not run if that is too old: a command that was held back in
+ * the network, or by a server that stood still, must not come into effect after its page has given
+ * up.
+ */
 public final class Commands {
   private static final Logger LOG = LoggerFactory.getLogger(Commands.class);
 
@@ -24,12 +31,18 @@ public final class Commands {
    */
   private record Entry(Role role, boolean quick, Command command) {}
 
-  /** Adds a command that may wait for a robot or a file. One viewer's commands run in order. */
+  /**
+   * Adds a command that may wait for a robot or a file. One viewer's commands run in order. For
+   * more than {@link Role#VIEW} it changes something, and needs a time that is not too old.
+   */
   public void add(String name, Role role, Command command) {
     put(name, new Entry(role, false, command));
   }
 
-  /** Adds a command that never waits. It runs at once, even while others of the viewer wait. */
+  /**
+   * Adds a command that never waits. It runs at once, even while others of the viewer wait, and
+   * however old it is.
+   */
   public void addQuick(String name, Role role, Command command) {
     put(name, new Entry(role, true, command));
   }
@@ -55,6 +68,7 @@ public final class Commands {
   ObjectNode answer(Viewer viewer, JsonNode message) {
     ObjectNode answer = Json.object();
     answer.set("id", message.path("id").isIntegralNumber() ? message.get("id") : Json.NULL);
+    answer.put("clock", Call.now());
     Entry entry = entry(message);
     if (entry == null) {
       return answer.put("error", "there is no such command");
@@ -65,8 +79,12 @@ public final class Commands {
           "this needs the role " + entry.role + "; this browser may only " + viewer.role());
     }
     ObjectNode result = Json.object();
+    Call call = new Call(viewer, message);
     try {
-      entry.command.run(new Call(viewer, message), result);
+      if (!entry.quick && entry.role != Role.VIEW) {
+        call.checkAge();
+      }
+      entry.command.run(call, result);
       answer.set("ok", result);
     } catch (IOException | IllegalArgumentException e) {
       answer.put("error", String.valueOf(e.getMessage()));

@@ -25,9 +25,6 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private static final int MESSAGES_IN_A_BURST = 400;
   private static final int MAX_WAITING_COMMANDS = 64;
 
-  /** A command that has waited longer is not run: the page may have said that it failed. */
-  private static final long MAX_WAIT_NANOS = 5_000_000_000L;
-
   private static final int POLICY_VIOLATION = 1008;
 
   private static final AtomicLong COUNT = new AtomicLong();
@@ -44,11 +41,8 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private volatile boolean closed;
 
   // guarded by this
-  private final Queue<WaitingCommand> waiting = new ArrayDeque<>();
+  private final Queue<JsonNode> waiting = new ArrayDeque<>();
   private boolean working;
-
-  /** A command with the time when it came, by {@link System#nanoTime}. */
-  private record WaitingCommand(JsonNode message, long since) {}
 
   Viewer(BrowserSession browser, Commands commands, Executor workers, Sockets sockets) {
     this.browser = browser;
@@ -203,7 +197,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private void enqueue(JsonNode message) {
     synchronized (this) {
       if (waiting.size() < MAX_WAITING_COMMANDS) {
-        waiting.add(new WaitingCommand(message, System.nanoTime()));
+        waiting.add(message);
         if (!working) {
           working = true;
           workers.execute(this::work);
@@ -217,7 +211,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   /** Runs the commands that wait, one after the other. */
   private void work() {
     while (true) {
-      WaitingCommand next;
+      JsonNode next;
       synchronized (this) {
         next = closed ? null : waiting.poll();
         if (next == null) {
@@ -225,11 +219,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
           return;
         }
       }
-      JsonNode message = next.message();
-      reply(
-          System.nanoTime() - next.since() > MAX_WAIT_NANOS
-              ? error(message.get("id"), "not done: it waited for other commands for too long")
-              : commands.answer(this, message));
+      reply(commands.answer(this, next));
     }
   }
 

@@ -1,10 +1,8 @@
 package no.hials.crosscom.cell;
 
-import java.io.IOException;
-import java.nio.charset.CharacterCodingException;
+import java.math.BigInteger;
 import java.nio.charset.Charset;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
@@ -25,7 +23,6 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   /** The environment variable that names another file. */
   static final String FILE_VARIABLE = "JOPENSHOWVAR_CONFIG";
 
-  private static final String BYTE_ORDER_MARK = "\uFEFF";
   private static final String DEFAULT = "default";
   private static final String ROBOTS = "robots";
 
@@ -61,28 +58,33 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
   public static @Nullable Profiles read(
       Function<String, @Nullable String> environment, ServerType simulated) throws FileException {
     Path file = path(environment);
-    try {
-      String text = Files.readString(file);
-      // as Windows editors write it
-      String content = text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
-      return of(TomlTable.parse(file, content), file, simulated);
-    } catch (NoSuchFileException e) {
+    if (Files.notExists(file)) {
       if (environment.apply(FILE_VARIABLE) == null) {
         return null;
       }
       throw new FileException(
-          "cannot read " + file + ", which " + FILE_VARIABLE + " names: file not found", e);
-    } catch (CharacterCodingException e) {
-      throw new FileException("cannot read " + file + ": it must be UTF-8", e);
-    } catch (FileException e) {
-      throw e;
-    } catch (IOException e) {
-      throw FileException.cannot("read", file, e);
+          "cannot read " + file + ", which " + FILE_VARIABLE + " names: file not found");
     }
+    return of(TomlTable.parse(file, TomlTable.textOf(file)), file, simulated);
   }
 
   private static Profiles of(TomlTable root, Path file, ServerType simulated) throws FileException {
     root.allow(DEFAULT, ROBOTS);
+    Map<String, Robot> robots = robots(root, simulated);
+    String name = root.text(DEFAULT);
+    if (name != null && !robots.containsKey(name)) {
+      throw root.error(DEFAULT, noRobot(name, robots));
+    }
+    return new Profiles(file, name, robots);
+  }
+
+  /**
+   * Returns the robots of the table {@code robots}, by their names.
+   *
+   * @param simulated the server of simulated controllers for which the file names no server
+   */
+  public static Map<String, Robot> robots(TomlTable root, ServerType simulated)
+      throws FileException {
     Map<String, Robot> robots = new TreeMap<>();
     Map<String, TomlTable> names = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
     for (TomlTable robot : root.tables(ROBOTS)) {
@@ -93,11 +95,7 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
       }
       robots.put(robot.name(), robot(robot, simulated));
     }
-    String name = root.text(DEFAULT);
-    if (name != null && !robots.containsKey(name)) {
-      throw root.error(DEFAULT, noRobot(name, robots));
-    }
-    return new Profiles(file, name, robots);
+    return robots;
   }
 
   private static Robot robot(TomlTable table, ServerType simulated) throws FileException {
@@ -110,14 +108,21 @@ public record Profiles(Path file, @Nullable String defaultRobot, Map<String, Rob
     HostAndPort host = table.converted("host", HostAndPort::parse, TomlTable.TEXT, String.class);
     Integer port =
         table.converted(
-            "port", SettingText::port, "must be a whole number, without quotes", Number.class);
+            "port",
+            SettingText::port,
+            "must be a whole number, without quotes",
+            Integer.class,
+            Long.class,
+            BigInteger.class);
     Duration timeout =
         table.converted(
             "timeout",
             SettingText::time,
             "must be a text in quotes such as \"1.5s\", or a whole number of ms",
             String.class,
-            Number.class);
+            Integer.class,
+            Long.class,
+            BigInteger.class);
     ServerType server =
         table.converted("server", SettingText::server, TomlTable.TEXT, String.class);
     Charset charset =

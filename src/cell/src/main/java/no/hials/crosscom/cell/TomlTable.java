@@ -6,6 +6,8 @@ import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.dataformat.toml.TomlFactory;
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -16,9 +18,11 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** A table of a TOML file whose errors contain file, line and key. */
-final class TomlTable {
+public final class TomlTable {
   /** The rule for a text. */
-  static final String TEXT = "must be a text in quotes";
+  public static final String TEXT = "must be a text in quotes";
+
+  private static final String BYTE_ORDER_MARK = "\uFEFF";
 
   private final Path file;
   private final TomlLines lines;
@@ -32,8 +36,29 @@ final class TomlTable {
     this.values = values;
   }
 
-  /** Reads the text of a file. */
-  static TomlTable parse(Path file, String text) throws FileException {
+  /**
+   * Returns the text of a file.
+   *
+   * @throws FileException if it cannot be read or is not in UTF-8
+   */
+  public static String textOf(Path file) throws FileException {
+    try {
+      String text = Files.readString(file);
+      // as Windows editors write it
+      return text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
+    } catch (CharacterCodingException e) {
+      throw new FileException("cannot read " + file + ": it must be UTF-8", e);
+    } catch (IOException e) {
+      throw FileException.cannot("read", file, e);
+    }
+  }
+
+  /**
+   * Reads the text of a file.
+   *
+   * @param file its name for errors
+   */
+  public static TomlTable parse(Path file, String text) throws FileException {
     try (JsonParser parser = new TomlFactory().createParser(text)) {
       parser.nextToken();
       return new TomlTable(file, new TomlLines(text), List.of(), readTable(parser));
@@ -73,6 +98,8 @@ final class TomlTable {
       case START_OBJECT -> readTable(parser);
       case VALUE_STRING -> parser.getText();
       case VALUE_NUMBER_INT -> parser.getNumberValue();
+      case VALUE_NUMBER_FLOAT -> parser.getDoubleValue();
+      case START_ARRAY -> readArray(parser);
       case VALUE_TRUE, VALUE_FALSE -> parser.getBooleanValue();
       default -> {
         // unused here; its type is refused later
@@ -82,13 +109,23 @@ final class TomlTable {
     };
   }
 
+  private static List<Object> readArray(JsonParser parser) throws IOException {
+    List<Object> elements = new ArrayList<>();
+    for (JsonToken token = parser.nextToken();
+        token != JsonToken.END_ARRAY;
+        token = parser.nextToken()) {
+      elements.add(readValue(parser, token));
+    }
+    return elements;
+  }
+
   /** Returns the last part of the table's name. */
-  String name() {
+  public String name() {
     return path.get(path.size() - 1);
   }
 
   /** Refuses all keys but these. */
-  void allow(String... keys) throws FileException {
+  public void allow(String... keys) throws FileException {
     for (Object key : values.keySet()) {
       if (!List.of(keys).contains(key)) {
         throw error(String.valueOf(key), "no such key; known: " + String.join(", ", keys));
@@ -97,7 +134,7 @@ final class TomlTable {
   }
 
   /** Returns the tables in a table; empty if the key is absent. */
-  List<TomlTable> tables(String key) throws FileException {
+  public List<TomlTable> tables(String key) throws FileException {
     List<TomlTable> tables = new ArrayList<>();
     TomlTable outer = table(key);
     for (Object name : outer.values.keySet()) {
@@ -106,7 +143,13 @@ final class TomlTable {
     return tables;
   }
 
-  private TomlTable table(String key) throws FileException {
+  /** Returns whether the table has a key. */
+  public boolean has(String key) {
+    return values.containsKey(key);
+  }
+
+  /** Returns a table in this one; empty if the key is absent. */
+  public TomlTable table(String key) throws FileException {
     Object value = values.containsKey(key) ? values.get(key) : Map.of();
     if (value instanceof Map<?, ?> table) {
       return new TomlTable(file, lines, pathOf(key), table);
@@ -115,7 +158,7 @@ final class TomlTable {
   }
 
   /** Returns a text; null if the key is absent. */
-  @Nullable String text(String key) throws FileException {
+  public @Nullable String text(String key) throws FileException {
     Object value = values.get(key);
     if (value == null || value instanceof String) {
       return (String) value;
@@ -124,12 +167,37 @@ final class TomlTable {
   }
 
   /** Returns a truth value; false if the key is absent. */
-  boolean flag(String key) throws FileException {
+  public boolean flag(String key) throws FileException {
     Object value = values.get(key);
     if (value == null || value instanceof Boolean) {
       return value != null && (Boolean) value;
     }
     throw error(key, "must be true or false, without quotes");
+  }
+
+  /** Returns a list of texts; empty if the key is absent. */
+  public List<String> texts(String key) throws FileException {
+    return list(key, String.class, "must be a list of texts in quotes");
+  }
+
+  /** Returns a list of numbers; empty if the key is absent. */
+  public List<Double> numbers(String key) throws FileException {
+    return list(key, Number.class, "must be a list of numbers").stream()
+        .map(Number::doubleValue)
+        .toList();
+  }
+
+  private <T> List<T> list(String key, Class<T> type, String rule) throws FileException {
+    Object value = values.containsKey(key) ? values.get(key) : List.of();
+    if (value instanceof List<?> elements && elements.stream().allMatch(type::isInstance)) {
+      return elements.stream().map(type::cast).toList();
+    }
+    throw error(key, rule);
+  }
+
+  /** Returns a number; null if the key is absent. */
+  public @Nullable Double number(String key) throws FileException {
+    return converted(key, Double::valueOf, "must be a number, without quotes", Number.class);
   }
 
   /**
@@ -138,7 +206,7 @@ final class TomlTable {
    * @param rule says in errors which types are allowed
    * @param types the allowed types of the value
    */
-  <T> @Nullable T converted(
+  public <T> @Nullable T converted(
       String key, Function<String, T> converter, String rule, Class<?>... types)
       throws FileException {
     Object value = values.get(key);
@@ -156,12 +224,12 @@ final class TomlTable {
   }
 
   /** Returns the file and line of the table. */
-  String place() {
+  public String place() {
     return place(path);
   }
 
   /** Returns the file and line of a key. */
-  String place(String key) {
+  public String place(String key) {
     return place(pathOf(key));
   }
 
@@ -171,12 +239,12 @@ final class TomlTable {
   }
 
   /** Creates an exception about the table as a whole. */
-  FileException error(String message) {
+  public FileException error(String message) {
     return error(path, message);
   }
 
   /** Creates an exception about a key of the table. */
-  FileException error(String key, String message) {
+  public FileException error(String key, String message) {
     return error(pathOf(key), message);
   }
 

@@ -7,6 +7,7 @@ module no.hials.crosscom.cell {
   requires transitive de.siegmar.fastcsv;
   requires transitive no.hials.crosscom;
   requires transitive no.hials.crosscom.lang;
+  requires org.slf4j;
   requires static org.jspecify;
 
   exports no.hials.crosscom.cell;

@@ -2,6 +2,7 @@ package no.hials.crosscom.web.internal.audit;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import java.util.concurrent.atomic.AtomicInteger;
+import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Json;

@@ -1,4 +1,4 @@
-package no.hials.crosscom.web.internal.audit;
+package no.hials.crosscom.cell;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -12,13 +12,11 @@ import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
-import no.hials.crosscom.cell.JsonLine;
-import no.hials.crosscom.cell.TimeText;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes a line for every change that a viewer makes: to {@code audit.jsonl}, and to those who
+ * Writes a line for every change that somebody makes: to {@code audit.jsonl}, and to those who
  * listen. Thread-safe.
  */
 public final class AuditLog {
@@ -34,9 +32,9 @@ public final class AuditLog {
   private final List<Consumer<String>> listeners = new CopyOnWriteArrayList<>();
 
   /**
-   * Something that a viewer did.
+   * Something that somebody did.
    *
-   * @param who the viewer
+   * @param who the person or program
    * @param robot the name of the robot
    * @param what the kind, such as {@code write}
    * @param name what was changed, such as {@code $OV_PRO}; may be empty

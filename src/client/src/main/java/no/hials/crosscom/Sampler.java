@@ -20,8 +20,8 @@ import no.hials.crosscom.KRL.KRLAny;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.Sample.Reading;
 import no.hials.crosscom.Sample.ReadingStatus;
-import no.hials.crosscom.internal.exchange.DeadBand;
 import no.hials.crosscom.internal.exchange.TextAnswer;
+import no.hials.crosscom.protocol.value.DeadBand;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,18 +1,9 @@
-package no.hials.crosscom.internal.exchange;
+package no.hials.crosscom.protocol.value;
 
 import java.util.stream.IntStream;
-import no.hials.crosscom.protocol.value.KrlArray;
-import no.hials.crosscom.protocol.value.KrlBool;
-import no.hials.crosscom.protocol.value.KrlEnum;
-import no.hials.crosscom.protocol.value.KrlInt;
-import no.hials.crosscom.protocol.value.KrlReal;
-import no.hials.crosscom.protocol.value.KrlString;
-import no.hials.crosscom.protocol.value.KrlStruct;
-import no.hials.crosscom.protocol.value.KrlValue;
-import no.hials.crosscom.protocol.value.KrlVisitor;
 
 /**
- * Compares values.
+ * Tells changed values from noise.
  *
  * @param width the difference up to which a REAL counts as unchanged, in its own unit, also if the
  *     controller prints one of the two values as an INT

@@ -11,4 +11,5 @@ module no.hials.crosscom.cell {
   requires static org.jspecify;
 
   exports no.hials.crosscom.cell;
+  exports no.hials.crosscom.cell.feed;
 }

@@ -1,0 +1,45 @@
+package no.hials.crosscom.cell.feed;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import no.hials.crosscom.cell.Robot;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The robots of a plant and what is read from them.
+ *
+ * @param robots the robots by their names
+ * @param groups the variables that are read
+ * @param settings the settings of variables by their names in upper case
+ * @param accessTime the expected time of one access to a controller
+ * @param maxLoad the highest load of a controller that is allowed, in percent of its time
+ */
+public record Plant(
+    Map<String, Robot> robots,
+    List<Group> groups,
+    Map<String, VariableSettings> settings,
+    Duration accessTime,
+    double maxLoad) {
+
+  /** Copies the collections. */
+  public Plant {
+    robots = Map.copyOf(robots);
+    groups = List.copyOf(groups);
+    settings = Map.copyOf(settings);
+  }
+
+  /** Returns the settings of a variable in any case; null if it has none. */
+  public @Nullable VariableSettings settings(String variable) {
+    return settings.get(variable.toUpperCase(Locale.ROOT));
+  }
+
+  /** Returns the plans of all robots, in the order of their names. */
+  public List<PollPlan> plans() {
+    return robots.values().stream()
+        .map(robot -> PollPlan.of(this, robot))
+        .sorted((a, b) -> a.robot().name().compareTo(b.robot().name()))
+        .toList();
+  }
+}

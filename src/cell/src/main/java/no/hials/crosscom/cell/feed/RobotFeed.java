@@ -1,0 +1,307 @@
+package no.hials.crosscom.cell.feed;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Function;
+import no.hials.crosscom.ConnectionEvent;
+import no.hials.crosscom.CrossComClient;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.Sample;
+import no.hials.crosscom.Watch;
+import no.hials.crosscom.WatchConfig;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.protocol.value.DeadBand;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the variables of a plan from one robot, over one connection with one access at a time, and
+ * passes on what is new. While the robot does not answer, its variables are stale once; when it
+ * answers again, they are passed on again.
+ */
+public final class RobotFeed implements Closeable {
+  /** A value is stale this long after the time of its next reading. */
+  private static final Duration GRACE = Duration.ofSeconds(1);
+
+  /** A listener does not block, so that few samples wait for it. */
+  private static final int BUFFER = 16;
+
+  private final PollPlan plan;
+  private final FeedListener listener;
+  private final RobotConnection connection;
+  private final Map<String, Held> held = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+  private final List<Watch> watches = new ArrayList<>();
+  private volatile boolean connected;
+  private volatile boolean closed;
+
+  /** What is known of a variable; guarded by the feed. */
+  private static final class Held {
+    private final PlannedVariable variable;
+    private final DeadBand deadBand;
+    private @Nullable KrlValue value;
+    private @Nullable KrlValue passedOn;
+    private @Nullable Instant time;
+    private long nanos = System.nanoTime();
+    private @Nullable Quality quality;
+    private String reason = "";
+
+    Held(PlannedVariable variable) {
+      this.variable = variable;
+      this.deadBand = new DeadBand(variable.deadBand(), false);
+    }
+
+    /** Notes a value, and returns it if it is to be passed on. */
+    @Nullable Update good(KrlValue now, Instant readAt) {
+      KrlValue before = passedOn;
+      boolean isNew =
+          quality != Quality.GOOD
+              || before == null
+              || !variable.onChange()
+              || deadBand.differs(before, now);
+      value = now;
+      time = readAt;
+      nanos = System.nanoTime();
+      quality = Quality.GOOD;
+      reason = "";
+      if (!isNew) {
+        return null;
+      }
+      passedOn = now;
+      return new Update(variable, readAt, Quality.GOOD, now, "");
+    }
+
+    /** Notes that there is no value, and returns that once. */
+    @Nullable Update without(Quality why, String text, Instant failedAt) {
+      if (quality == why && (why == Quality.STALE || reason.equals(text))) {
+        return null;
+      }
+      boolean hadValue = quality == Quality.GOOD || quality == Quality.STALE;
+      quality = why;
+      reason = text;
+      if (why == Quality.BAD) {
+        value = null;
+      }
+      Instant last = hadValue ? time : null;
+      return new Update(
+          variable, last == null || value == null ? failedAt : last, why, value, text);
+    }
+
+    boolean isOverdue(long now) {
+      return quality == Quality.GOOD
+          && now - nanos > variable.period().multipliedBy(2).plus(GRACE).toNanos();
+    }
+  }
+
+  private RobotFeed(PollPlan plan, RobotConnection connection, FeedListener listener) {
+    this.plan = plan;
+    this.listener = listener;
+    this.connection = connection;
+    plan.variables().forEach((name, variable) -> held.put(name, new Held(variable)));
+  }
+
+  /** Receives the events of a connection, from before the feed exists. */
+  private static final class Events {
+    private final List<ConnectionEvent> early = new ArrayList<>();
+    private @Nullable RobotFeed feed;
+
+    synchronized void add(ConnectionEvent event) {
+      if (feed == null) {
+        early.add(event);
+      } else {
+        feed.connectionChanged(event);
+      }
+    }
+
+    synchronized void to(RobotFeed one) {
+      feed = one;
+      early.forEach(one::connectionChanged);
+    }
+  }
+
+  /**
+   * Connects to a robot. Reading begins with {@link #start}.
+   *
+   * @param opener connects; the robot may be off until later if it connects in the background
+   */
+  public static RobotFeed open(PollPlan plan, RobotConnection.Opener opener, FeedListener listener)
+      throws IOException {
+    Events events = new Events();
+    RobotConnection connection =
+        opener.open(plan.robot(), Robot.LASTING.andThen(cfg -> cfg.listener(events::add)));
+    RobotFeed feed = new RobotFeed(plan, connection, listener);
+    events.to(feed);
+    return feed;
+  }
+
+  /**
+   * Starts to read.
+   *
+   * @throws IOException if the client is closed
+   */
+  public void start() throws IOException {
+    for (Map.Entry<Duration, List<String>> poll : plan.reads().entrySet()) {
+      WatchConfig config =
+          WatchConfig.create(
+              poll.getValue(),
+              cfg -> cfg.period(poll.getKey()).missedSamples(true).bufferSize(BUFFER));
+      Watch watch = connection.client().watch(config);
+      watches.add(watch);
+      watch.addListener(this::take);
+    }
+  }
+
+  /** Returns the plan that it reads. */
+  public PollPlan plan() {
+    return plan;
+  }
+
+  /** Returns the name of the robot. */
+  public String name() {
+    return plan.robot().name();
+  }
+
+  /** Returns the client, whose connection is the only one to the robot. */
+  public CrossComClient client() {
+    return connection.client();
+  }
+
+  /** Returns whether the robot is connected. */
+  public boolean isConnected() {
+    return connected;
+  }
+
+  /** Returns the number of readings that were started. */
+  public long polls() {
+    return watches.stream().mapToLong(Watch::polls).sum();
+  }
+
+  /** Returns the number of readings left out because the robot was too slow. */
+  public long missedPolls() {
+    return watches.stream().mapToLong(Watch::missedPeriods).sum();
+  }
+
+  /** Returns the number of readings that failed as a whole. */
+  public long failedPolls() {
+    return watches.stream().mapToLong(Watch::failedPolls).sum();
+  }
+
+  /** Returns the number of samples that were dropped because the listener was too slow. */
+  public long droppedSamples() {
+    return watches.stream().mapToLong(Watch::droppedSamples).sum();
+  }
+
+  /** Returns the last known value of a variable; empty if it is not read, or there is none. */
+  public synchronized Optional<KrlValue> lastValue(String variable) {
+    return Optional.ofNullable(held.get(variable)).map(it -> it.value);
+  }
+
+  private void connectionChanged(ConnectionEvent event) {
+    switch (event.kind()) {
+      case CONNECTED, RECONNECTED -> connected = true;
+      default -> {
+        connected = false;
+        CrossComException cause = event.cause();
+        String reason =
+            String.valueOf(cause == null ? "the connection is lost" : cause.getMessage());
+        passOn(one -> one.without(Quality.STALE, reason, event.time()), held.values());
+      }
+    }
+  }
+
+  private void take(Sample sample) {
+    List<Update> updates = new ArrayList<>();
+    synchronized (this) {
+      sample
+          .readings()
+          .forEach(
+              (read, reading) -> {
+                for (PlannedVariable variable : plan.readBy(read)) {
+                  Update update = update(held.get(variable.key()), reading);
+                  if (update != null) {
+                    updates.add(update);
+                  }
+                }
+              });
+      if (!updates.isEmpty() && !closed) {
+        listener.updated(this, updates);
+      }
+    }
+  }
+
+  private static @Nullable Update update(@Nullable Held one, Sample.Reading reading) {
+    if (one == null) {
+      return null;
+    }
+    KrlValue whole = reading.value();
+    if (whole != null) {
+      KrlValue part = one.variable.in(whole).orElse(null);
+      return part != null
+          ? one.good(part, reading.time())
+          : one.without(
+              Quality.BAD, one.variable.read() + " has no such field now", reading.time());
+    }
+    CrossComException failure = reading.failure();
+    return one.without(
+        reading.status() == Sample.ReadingStatus.FAILED ? Quality.BAD : Quality.STALE,
+        String.valueOf(failure == null ? "not read" : failure.getMessage()),
+        reading.time());
+  }
+
+  /** Marks variables as stale whose next reading is overdue, for example behind a slow one. */
+  public void checkAges() {
+    long now = System.nanoTime();
+    Instant time = Instant.now();
+    synchronized (this) {
+      passOn(
+          one -> one.without(Quality.STALE, "the controller has not answered in time", time),
+          held.values().stream().filter(one -> one.isOverdue(now)).toList());
+    }
+  }
+
+  private synchronized void passOn(
+      Function<Held, @Nullable Update> change, Iterable<Held> variables) {
+    List<Update> updates = new ArrayList<>();
+    for (Held one : variables) {
+      Update update = change.apply(one);
+      if (update != null) {
+        updates.add(update);
+      }
+    }
+    if (!updates.isEmpty() && !closed) {
+      listener.updated(this, updates);
+    }
+  }
+
+  /** Passes on all values that are known once more, for a listener that has missed them. */
+  public void repeat() {
+    passOn(
+        one ->
+            one.quality == null
+                ? null
+                : new Update(
+                    one.variable,
+                    one.time == null ? Instant.now() : one.time,
+                    one.quality,
+                    one.value,
+                    one.reason),
+        held.values());
+  }
+
+  /** Ends reading and the connection. After that, the listener is not called. */
+  @Override
+  public void close() throws IOException {
+    synchronized (this) {
+      closed = true;
+    }
+    watches.forEach(Watch::close);
+    connection.close();
+  }
+}

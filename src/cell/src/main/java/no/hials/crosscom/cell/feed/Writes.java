@@ -1,0 +1,99 @@
+package no.hials.crosscom.cell.feed;
+
+import java.io.IOException;
+import java.util.Locale;
+import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.WriteAnswer;
+import no.hials.crosscom.protocol.value.KrlArray;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlStruct;
+import no.hials.crosscom.protocol.value.KrlSyntaxException;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes for other systems what the configuration allows, each write with a line in the audit log.
+ * A write is never repeated.
+ */
+public final class Writes {
+  private final AuditLog audit;
+
+  /** Creates an object that writes its lines to a log. */
+  public Writes(AuditLog audit) {
+    this.audit = audit;
+  }
+
+  /**
+   * Writes one value.
+   *
+   * @param who the other system, for the audit log
+   * @param plant the plant, whose settings say what may be written
+   * @param name the variable or field
+   * @param text the value as KRL writes it
+   * @throws RefusedWriteException if the write is not allowed; nothing was sent
+   * @throws IOException if the write failed; the message says if its outcome is unknown
+   */
+  public void write(String who, Plant plant, RobotFeed robot, String name, String text)
+      throws IOException {
+    String value = text.strip();
+    String result = "failed";
+    try {
+      check(plant, robot, name, value);
+      WriteAnswer.check(name, value, robot.client().writeText(name, value));
+      result = "done";
+    } catch (IOException | IllegalArgumentException e) {
+      result = String.valueOf(e.getMessage());
+      throw e;
+    } finally {
+      String before = robot.lastValue(name).map(KrlValue::print).orElse("");
+      audit.add(new AuditLog.Entry(who, robot.name(), "write", name, before, value, result));
+    }
+  }
+
+  /** Refuses what the configuration does not allow. */
+  private static void check(Plant plant, RobotFeed robot, String name, String text)
+      throws IOException {
+    String target = robot.name() + ": " + name;
+    String readOnly = robot.plan().robot().readOnlyBy();
+    if (readOnly != null) {
+      throw new RefusedWriteException(target + " was not written: " + readOnly);
+    }
+    VariableSettings settings = plant.settings(name);
+    if (settings == null || !settings.writable()) {
+      throw new RefusedWriteException(
+          target + " was not written: the configuration does not allow it (write = true)");
+    }
+    Double number = number(target, text);
+    if (number != null && settings.range() != null) {
+      if (!settings.range().contains(number)) {
+        throw new RefusedWriteException(
+            target + " was not written: must be " + settings.range() + ", is " + text);
+      }
+    } else if (!settings.values().contains(text.toUpperCase(Locale.ROOT))) {
+      String allowed =
+          settings.values().isEmpty()
+              ? "a number of " + settings.range()
+              : "one of " + String.join(", ", settings.values());
+      throw new RefusedWriteException(
+          target + " was not written: must be " + allowed + ", is " + text);
+    }
+    robot.client().checkText(name, text);
+  }
+
+  /** Returns the number of a text; null if it is another scalar. */
+  private static @Nullable Double number(String target, String text) throws IOException {
+    KrlValue value;
+    try {
+      value = KrlValue.parse(text);
+    } catch (KrlSyntaxException e) {
+      throw new RefusedWriteException(
+          target + " was not written: the value is not one of KRL: " + e.getMessage());
+    }
+    if (value instanceof KrlStruct || value instanceof KrlArray) {
+      throw new RefusedWriteException(
+          target + " was not written: a field or an element can be written, not a whole value");
+    }
+    return value instanceof KrlInt || value instanceof KrlReal ? value.asDouble() : null;
+  }
+}

@@ -1,0 +1,8 @@
+/**
+ * Reads many variables of many robots for other systems: what to read, the plan of accesses, a feed
+ * for each robot, and the writes that are allowed.
+ */
+@NullMarked
+package no.hials.crosscom.cell.feed;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,226 @@
+package no.hials.crosscom.gateway;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.cell.feed.Writes;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads the robots of a configuration and passes their values on to its outputs. Another
+ * configuration is taken by {@link #apply}, which leaves alone the robots and outputs that stay as
+ * they are.
+ */
+public final class Gateway implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Gateway.class);
+  private static final long AGE_CHECK_MILLIS = 250;
+
+  private final List<OutputKind<?>> kinds;
+  private final RobotConnection.Opener opener;
+  private final Health health = new Health();
+  private final Writes writes;
+  private final Path folder;
+  private final Map<String, RobotFeed> robots = new ConcurrentHashMap<>();
+  private final Map<String, RunningOutput> outputs = new ConcurrentHashMap<>();
+  private final ScheduledExecutorService timer =
+      Executors.newSingleThreadScheduledExecutor(
+          task -> {
+            Thread thread = new Thread(task, "gateway-timer");
+            thread.setDaemon(true);
+            return thread;
+          });
+  private volatile Plant plant;
+
+  private Gateway(GatewayConfig config, List<OutputKind<?>> kinds, RobotConnection.Opener opener) {
+    this.kinds = List.copyOf(kinds);
+    this.opener = opener;
+    this.plant = config.plant();
+    this.folder = config.folder();
+    this.writes = new Writes(new AuditLog(folder));
+  }
+
+  /**
+   * Starts a gateway.
+   *
+   * @param kinds the outputs that there are
+   * @param opener connects to robots
+   * @throws IOException if an output cannot start
+   */
+  public static Gateway start(
+      GatewayConfig config, List<OutputKind<?>> kinds, RobotConnection.Opener opener)
+      throws IOException {
+    Gateway gateway = new Gateway(config, kinds, opener);
+    try {
+      gateway.apply(config);
+    } catch (IOException | RuntimeException e) {
+      gateway.close();
+      throw e;
+    }
+    ScheduledFuture<?> unused =
+        gateway.timer.scheduleAtFixedRate(
+            () -> gateway.robots.values().forEach(RobotFeed::checkAges),
+            AGE_CHECK_MILLIS,
+            AGE_CHECK_MILLIS,
+            TimeUnit.MILLISECONDS);
+    return gateway;
+  }
+
+  /** An output with its settings; its exceptions stay its own. */
+  private static final class RunningOutput {
+    private final Object settings;
+    private final Output output;
+    private boolean failing;
+
+    RunningOutput(Object settings, Output output) {
+      this.settings = settings;
+      this.output = output;
+    }
+
+    void call(Consumer<Output> call) {
+      try {
+        call.accept(output);
+        failing = false;
+      } catch (RuntimeException e) {
+        if (!failing) {
+          LOG.warn("an output failed", e);
+        }
+        failing = true;
+      }
+    }
+  }
+
+  private final class Context implements GatewayContext {
+    @Override
+    public Plant plant() {
+      return plant;
+    }
+
+    @Override
+    public @Nullable RobotFeed robot(String name) {
+      return robots.get(name);
+    }
+
+    @Override
+    public Writes writes() {
+      return writes;
+    }
+
+    @Override
+    public Path folder() {
+      return folder;
+    }
+
+    @Override
+    public Health health() {
+      return health;
+    }
+  }
+
+  /**
+   * Takes another configuration. Robots and outputs that it does not change are not interrupted.
+   *
+   * @throws IOException if an output cannot start; the others are as configured
+   */
+  public synchronized void apply(GatewayConfig config) throws IOException {
+    plant = config.plant();
+    Map<String, PollPlan> plans = new LinkedHashMap<>();
+    plant.plans().forEach(plan -> plans.put(plan.robot().name(), plan));
+    for (RobotFeed feed : List.copyOf(robots.values())) {
+      if (!feed.plan().equals(plans.get(feed.name()))) {
+        remove(feed);
+      }
+    }
+    IOException failure = null;
+    for (OutputKind<?> kind : kinds) {
+      try {
+        apply(kind, config.outputs().get(kind.table()));
+      } catch (IOException e) {
+        failure = e;
+      }
+    }
+    for (PollPlan plan : plans.values()) {
+      if (!robots.containsKey(plan.robot().name())) {
+        add(plan);
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+  }
+
+  private <S> void apply(OutputKind<S> kind, @Nullable Object settings) throws IOException {
+    RunningOutput running = outputs.get(kind.table());
+    if (running != null && !running.settings.equals(settings)) {
+      outputs.remove(kind.table());
+      running.call(Output::close);
+      running = null;
+    }
+    if (running == null && settings != null) {
+      @SuppressWarnings("unchecked") // the kind has read them
+      S own = (S) settings;
+      RunningOutput started = new RunningOutput(own, kind.open(own, new Context()));
+      robots.values().forEach(robot -> started.call(output -> output.added(robot)));
+      outputs.put(kind.table(), started);
+      robots.values().forEach(RobotFeed::repeat);
+    }
+  }
+
+  private void add(PollPlan plan) throws IOException {
+    RobotFeed feed = RobotFeed.open(plan, opener, this::passOn);
+    robots.put(plan.robot().name(), feed);
+    outputs.values().forEach(one -> one.call(output -> output.added(feed)));
+    feed.start();
+  }
+
+  private void passOn(RobotFeed robot, List<Update> updates) {
+    outputs.values().forEach(one -> one.call(output -> output.updated(robot, updates)));
+  }
+
+  private void remove(RobotFeed feed) throws IOException {
+    robots.remove(feed.name());
+    feed.close();
+    outputs.values().forEach(one -> one.call(output -> output.removed(feed)));
+  }
+
+  /** Returns the robots. */
+  public List<RobotFeed> robots() {
+    return List.copyOf(robots.values());
+  }
+
+  /** Returns the figures of the gateway itself. */
+  public Health health() {
+    return health;
+  }
+
+  /** Ends all readings and outputs. */
+  @Override
+  public synchronized void close() {
+    timer.shutdownNow();
+    for (RobotFeed feed : new ArrayList<>(robots.values())) {
+      try {
+        remove(feed);
+      } catch (IOException e) {
+        LOG.warn("{}: {}", feed.name(), e.getMessage());
+      }
+    }
+    outputs.values().forEach(one -> one.call(Output::close));
+    outputs.clear();
+  }
+}

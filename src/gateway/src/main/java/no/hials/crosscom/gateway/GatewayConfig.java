@@ -1,0 +1,68 @@
+package no.hials.crosscom.gateway;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.Robot;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PlantFile;
+import no.hials.crosscom.cell.feed.PollPlan;
+
+/**
+ * A configuration of the gateway.
+ *
+ * @param plant the robots and what is read from them
+ * @param folder the folder for the files of outputs
+ * @param outputs the settings of the outputs, by the names of their tables
+ */
+public record GatewayConfig(Plant plant, Path folder, Map<String, Object> outputs) {
+  /** Copies the map. */
+  public GatewayConfig {
+    outputs = Map.copyOf(outputs);
+  }
+
+  /**
+   * Reads a configuration.
+   *
+   * @param root the file
+   * @param more robots that are not in the file
+   * @param kinds the outputs that there are
+   * @throws FileException if something is wrong, with its line and the rule
+   */
+  public static GatewayConfig read(
+      TomlTable root, Path folder, Map<String, Robot> more, List<OutputKind<?>> kinds)
+      throws FileException {
+    List<String> tables = new ArrayList<>(PlantFile.TABLES);
+    kinds.forEach(kind -> tables.add(kind.table()));
+    root.allow(tables.toArray(String[]::new));
+    Map<String, Object> outputs = new LinkedHashMap<>();
+    for (OutputKind<?> kind : kinds) {
+      if (root.has(kind.table())) {
+        outputs.put(kind.table(), kind.read(root.table(kind.table())));
+      }
+    }
+    GatewayConfig config = new GatewayConfig(PlantFile.read(root, more), folder, outputs);
+    config.checkLoad();
+    return config;
+  }
+
+  /** Refuses a plan that would take too much of the time of a controller. */
+  private void checkLoad() throws FileException {
+    for (PollPlan plan : plant.plans()) {
+      if (plan.load() > plant.maxLoad()) {
+        throw new FileException(
+            String.format(
+                Locale.ROOT,
+                "%s: at most %.0f %% is allowed ([limits] load); read fewer variables, less often,"
+                    + " or as structures",
+                plan.text(),
+                plant.maxLoad()));
+      }
+    }
+  }
+}

@@ -1,0 +1,25 @@
+package no.hials.crosscom.gateway;
+
+import java.nio.file.Path;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Writes;
+import org.jspecify.annotations.Nullable;
+
+/** The parts of the gateway that outputs use. Thread-safe. */
+public interface GatewayContext {
+  /** Returns the plant as it is configured now. */
+  Plant plant();
+
+  /** Returns a robot; null if there is none of this name now. */
+  @Nullable RobotFeed robot(String name);
+
+  /** Returns what writes for other systems. Writing blocks: not for the thread of an update. */
+  Writes writes();
+
+  /** Returns the folder for the files of outputs. */
+  Path folder();
+
+  /** Returns the figures of the gateway itself. */
+  Health health();
+}

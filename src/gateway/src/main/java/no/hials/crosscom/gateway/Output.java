@@ -1,0 +1,28 @@
+package no.hials.crosscom.gateway;
+
+import java.util.List;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+
+/**
+ * Passes values on to another system. An output never delays the readings of a robot or another
+ * output: its methods do not block, and its own failures stay its own.
+ */
+public interface Output extends AutoCloseable {
+  /** Called before the first update of a robot. */
+  void added(RobotFeed robot);
+
+  /**
+   * Called with updates of a robot, at most once at a time for each.
+   *
+   * @param updates at least one, of variables that were read together
+   */
+  void updated(RobotFeed robot, List<Update> updates);
+
+  /** Called after the last update of a robot, which the configuration has no more. */
+  void removed(RobotFeed robot);
+
+  /** Ends the output. */
+  @Override
+  void close();
+}

@@ -1,0 +1,90 @@
+package no.hials.crosscom.gateway.internal.prometheus;
+
+import io.prometheus.metrics.exporter.httpserver.HTTPServer;
+import io.prometheus.metrics.model.registry.MultiCollector;
+import io.prometheus.metrics.model.snapshots.MetricSnapshots;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.cell.HostAndPort;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.Output;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Shows the last values of robots and the figures of the gateway at {@code /metrics}. A value that
+ * is stale or bad has no series, so that nobody takes it for a value of now.
+ */
+final class PrometheusOutput implements Output {
+  private static final Logger LOG = LoggerFactory.getLogger(PrometheusOutput.class);
+
+  private final Map<String, RobotMetrics> robots = new ConcurrentHashMap<>();
+  private final Health health;
+  private final MultiCollector collector = this::snapshots;
+  private final HTTPServer server;
+
+  PrometheusOutput(HostAndPort address, Health health) throws IOException {
+    this.health = health;
+    health.registry().register(collector);
+    try {
+      server =
+          HTTPServer.builder()
+              .inetAddress(InetAddress.getByName(address.host()))
+              .port(Objects.requireNonNull(address.port()))
+              .registry(health.registry())
+              .buildAndStart();
+    } catch (IOException e) {
+      health.registry().unregister(collector);
+      throw new IOException(
+          "[prometheus] cannot listen on "
+              + address.host()
+              + ":"
+              + address.port()
+              + ": "
+              + e.getMessage(),
+          e);
+    }
+    LOG.info("Prometheus: http://{}:{}/metrics", address.host(), server.getPort());
+  }
+
+  /** Returns the port that it listens on. */
+  int port() {
+    return server.getPort();
+  }
+
+  @Override
+  public void added(RobotFeed robot) {
+    robots.put(robot.name(), new RobotMetrics(robot));
+  }
+
+  @Override
+  public void updated(RobotFeed robot, List<Update> updates) {
+    RobotMetrics metrics = robots.get(robot.name());
+    if (metrics != null) {
+      updates.forEach(metrics::put);
+    }
+  }
+
+  @Override
+  public void removed(RobotFeed robot) {
+    robots.remove(robot.name());
+  }
+
+  private MetricSnapshots snapshots() {
+    MetricFamilies families = new MetricFamilies();
+    robots.values().forEach(robot -> robot.addTo(families));
+    return families.snapshots();
+  }
+
+  @Override
+  public void close() {
+    server.close();
+    health.registry().unregister(collector);
+  }
+}

@@ -1,0 +1,119 @@
+package no.hials.crosscom.gateway;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.ServerSocket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.gateway.internal.prometheus.PrometheusKind;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(60)
+class PrometheusTest {
+  @KukaController private MockServer robot;
+  @TempDir private Path folder;
+
+  private final HttpClient http = HttpClient.newHttpClient();
+  private final int port = freePort();
+  private Gateway gateway;
+
+  private static int freePort() {
+    try (ServerSocket socket = new ServerSocket(0)) {
+      return socket.getLocalPort();
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  @BeforeEach
+  void start() throws IOException {
+    String text =
+        """
+        [robots.cell1]
+        host = "%s:%d"
+        timeout = "1s"
+
+        [groups.all]
+        variables = ["$OV_PRO", "$POS_ACT", "$MODE_OP", "NOSUCH"]
+        period = "50ms"
+
+        [variables."$OV_PRO"]
+        unit = "percent"
+
+        [prometheus]
+        address = "127.0.0.1:%d"
+        """
+            .formatted(robot.host(), robot.port(), port);
+    List<OutputKind<?>> kinds = List.of(new PrometheusKind());
+    TomlTable root = TomlTable.parse(Path.of("plant.toml"), text);
+    gateway =
+        Gateway.start(
+            GatewayConfig.read(root, folder, Map.of(), kinds), kinds, RobotConnection::openLazily);
+  }
+
+  @AfterEach
+  void close() {
+    gateway.close();
+  }
+
+  private String await(Predicate<String> condition) throws IOException, InterruptedException {
+    String text;
+    do {
+      text =
+          http.send(
+                  HttpRequest.newBuilder(URI.create("http://127.0.0.1:" + port + "/metrics"))
+                      .timeout(Duration.ofSeconds(10))
+                      .build(),
+                  HttpResponse.BodyHandlers.ofString())
+              .body();
+    } while (!condition.test(text));
+    return text;
+  }
+
+  @Test
+  void showsTheValuesAndTheConnectionOfARobot() throws Exception {
+    robot.variables().set("$OV_PRO", "73");
+
+    String metrics = await(text -> text.contains("variable=\"$OV_PRO\"} 73.0"));
+
+    assertThat(metrics)
+        .contains(
+            "jopenshowvar_value{robot=\"cell1\",unit=\"percent\",variable=\"$OV_PRO\"} 73.0",
+            "jopenshowvar_value{robot=\"cell1\",unit=\"mm\",variable=\"$POS_ACT.X\"}",
+            "jopenshowvar_state{robot=\"cell1\",state=\"#T1\",variable=\"$MODE_OP\"} 1.0",
+            "jopenshowvar_variable_good{robot=\"cell1\",variable=\"NOSUCH\"} 0.0",
+            "jopenshowvar_robot_connected{robot=\"cell1\"} 1.0");
+  }
+
+  @Test
+  void showsNoValueWhileTheRobotDoesNotAnswer() throws Exception {
+    await(text -> text.contains("variable=\"$OV_PRO\"} 100.0"));
+
+    robot.refuseConnections();
+    robot.disconnectClients();
+
+    assertThat(await(text -> text.contains("robot_connected{robot=\"cell1\"} 0.0")))
+        .doesNotContain("jopenshowvar_value{")
+        .contains("jopenshowvar_variable_good{robot=\"cell1\",variable=\"$OV_PRO\"} 0.0");
+
+    robot.acceptConnections();
+
+    await(text -> text.contains("variable=\"$OV_PRO\"} 100.0"));
+  }
+}

@@ -3,35 +3,45 @@ package no.hials.crosscom.gateway;
 import io.prometheus.metrics.core.metrics.Counter;
 import io.prometheus.metrics.core.metrics.Gauge;
 import io.prometheus.metrics.model.registry.PrometheusRegistry;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 
 /** The figures of the gateway itself, which an output can publish. */
 public final class Health {
   private final PrometheusRegistry registry = new PrometheusRegistry();
+  private final Map<String, Counter> counters = new ConcurrentHashMap<>();
+  private final Map<String, Gauge> gauges = new ConcurrentHashMap<>();
 
   /**
-   * Creates a counter.
+   * Returns a counter. An output that starts again goes on with the one it had.
    *
    * @param name the name after {@code jopenshowvar_}, without {@code _total}
    */
   public Counter counter(String name, String help, String... labels) {
-    return Counter.builder()
-        .name("jopenshowvar_" + name)
-        .help(help)
-        .labelNames(labels)
-        .register(registry);
+    return counters.computeIfAbsent(
+        name,
+        it ->
+            Counter.builder()
+                .name("jopenshowvar_" + it)
+                .help(help)
+                .labelNames(labels)
+                .register(registry));
   }
 
   /**
-   * Creates a gauge.
+   * Returns a gauge. An output that starts again goes on with the one it had.
    *
    * @param name the name after {@code jopenshowvar_}
    */
   public Gauge gauge(String name, String help, String... labels) {
-    return Gauge.builder()
-        .name("jopenshowvar_" + name)
-        .help(help)
-        .labelNames(labels)
-        .register(registry);
+    return gauges.computeIfAbsent(
+        name,
+        it ->
+            Gauge.builder()
+                .name("jopenshowvar_" + it)
+                .help(help)
+                .labelNames(labels)
+                .register(registry));
   }
 
   /** Returns the registry of all figures. */

@@ -3,6 +3,7 @@ package no.hials.crosscom.cell.feed;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Optional;
+import no.hials.crosscom.cell.Units;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
@@ -28,6 +29,17 @@ public record PlannedVariable(
   /** Returns the name in upper case, since KRL does not tell cases apart. */
   public String key() {
     return name.toUpperCase(Locale.ROOT);
+  }
+
+  /**
+   * Returns the unit of the variable or of a number in it: the one of its settings, or else of the
+   * catalogue.
+   *
+   * @param leaf the name of the number, such as {@code $POS_ACT.X}
+   * @return the unit; empty if it has no unit or the unit is unknown
+   */
+  public String unit(Units units, String leaf) {
+    return settings == null || settings.unit() == null ? units.of(leaf) : settings.unit();
   }
 
   /** Returns this variable's part of what was read; empty if the structure has no such field. */

@@ -80,7 +80,13 @@ final class RobotMetrics {
       families.gauge(
           "value",
           "A number of a robot; 1 and 0 for TRUE and FALSE",
-          Labels.of("robot", robot.name(), "variable", leaf.name(), "unit", unit(leaf, variable)),
+          Labels.of(
+              "robot",
+              robot.name(),
+              "variable",
+              leaf.name(),
+              "unit",
+              variable.unit(UNITS, leaf.name())),
           number);
     } else {
       families.gauge(
@@ -89,11 +95,5 @@ final class RobotMetrics {
           Labels.of("robot", robot.name(), "variable", leaf.name(), "state", leaf.text()),
           1);
     }
-  }
-
-  private static String unit(Leaf leaf, PlannedVariable variable) {
-    return variable.settings() == null || variable.settings().unit() == null
-        ? UNITS.of(leaf.name())
-        : variable.settings().unit();
   }
 }

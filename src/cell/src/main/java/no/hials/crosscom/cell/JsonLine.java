@@ -130,7 +130,8 @@ public final class JsonLine {
     return value.accept(new TypeName(whole));
   }
 
-  static void write(JsonGenerator json, KrlValue value) throws IOException {
+  /** Writes a value: a number, text or truth value, a list, or an object with the fields. */
+  public static void write(JsonGenerator json, KrlValue value) throws IOException {
     value.accept(PRINTER).write(json);
   }
 

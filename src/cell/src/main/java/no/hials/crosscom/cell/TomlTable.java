@@ -166,6 +166,11 @@ public final class TomlTable {
     throw error(key, TEXT);
   }
 
+  /** Returns a file, relative to the folder of this one; null if the key is absent. */
+  public @Nullable Path file(String key) throws FileException {
+    return converted(key, file::resolveSibling, TEXT, String.class);
+  }
+
   /** Returns a truth value; false if the key is absent. */
   public boolean flag(String key) throws FileException {
     Object value = values.get(key);

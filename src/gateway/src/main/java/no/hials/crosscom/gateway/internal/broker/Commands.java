@@ -1,0 +1,126 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import io.prometheus.metrics.core.metrics.Counter;
+import java.io.IOException;
+import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import no.hials.crosscom.cell.feed.RefusedWriteException;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.protocol.value.KrlString;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Executes commands of other systems, one at a time for each robot, on a thread for each robot that
+ * has commands. Nothing is repeated. Thread-safe.
+ */
+public final class Commands implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Commands.class);
+  private static final int WAITING = 16;
+  private static final int LONGEST_VALUE = 4096;
+  private static final int IDLE_SECONDS = 10;
+
+  private final GatewayContext context;
+  private final Counter counter;
+  private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
+
+  /** Creates an object that writes with the permissions of the gateway. */
+  public Commands(GatewayContext context) {
+    this.context = context;
+    this.counter =
+        context.health().counter("mqtt_commands", "Commands from topics, by result", "result");
+  }
+
+  /** Counts and returns a refusal. */
+  public String refused(String who, String robot, String variable, String reason) {
+    counter.labelValues("refused").inc();
+    LOG.warn("{}: {} {}: {}", who, robot, variable, reason);
+    return reason;
+  }
+
+  /**
+   * Executes a command later. Does not block.
+   *
+   * @param who the sender, for the audit log
+   * @param value the value as KRL writes it; a text without quotes if the variable has a text
+   * @param result called with {@code done} or the reason, at once if the command is refused
+   */
+  public void execute(
+      String who, String robot, String variable, String value, Consumer<String> result) {
+    RobotFeed feed = context.robot(robot);
+    if (feed == null) {
+      result.accept(refused(who, robot, variable, "no robot is named " + robot));
+      return;
+    }
+    if (value.length() > LONGEST_VALUE) {
+      result.accept(
+          refused(
+              who, robot, variable, "the value has more than " + LONGEST_VALUE + " characters"));
+      return;
+    }
+    try {
+      threads
+          .computeIfAbsent(robot, Commands::newThread)
+          .execute(() -> result.accept(write(who, feed, variable, value)));
+    } catch (RejectedExecutionException e) {
+      result.accept(
+          refused(who, robot, variable, "not executed: " + WAITING + " commands are waiting"));
+    }
+  }
+
+  private static ThreadPoolExecutor newThread(String robot) {
+    ThreadPoolExecutor executor =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            IDLE_SECONDS,
+            TimeUnit.SECONDS,
+            new ArrayBlockingQueue<>(WAITING),
+            task -> {
+              Thread thread = new Thread(task, "mqtt-commands-" + robot);
+              thread.setDaemon(true);
+              return thread;
+            });
+    executor.allowCoreThreadTimeOut(true);
+    return executor;
+  }
+
+  private String write(String who, RobotFeed feed, String variable, String value) {
+    String text = value.strip();
+    boolean isText = feed.lastValue(variable).filter(KrlString.class::isInstance).isPresent();
+    try {
+      if (isText && !text.startsWith("\"")) {
+        text = new KrlString(value).print();
+      }
+      context.writes().write(who, context.plant(), feed, variable, text);
+      counter.labelValues("done").inc();
+      return "done";
+    } catch (RefusedWriteException | IllegalArgumentException e) {
+      return refused(who, feed.name(), variable, String.valueOf(e.getMessage()));
+    } catch (IOException e) {
+      counter.labelValues("failed").inc();
+      LOG.warn("{}: {} {}: {}", who, feed.name(), variable, e.getMessage());
+      return String.valueOf(e.getMessage());
+    }
+  }
+
+  /**
+   * Executes no more commands; the ones that wait are forgotten, one that runs comes to its end.
+   */
+  @Override
+  public void close() {
+    threads
+        .values()
+        .forEach(
+            executor -> {
+              executor.getQueue().clear();
+              executor.shutdown();
+            });
+  }
+}

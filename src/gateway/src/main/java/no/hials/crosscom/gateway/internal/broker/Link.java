@@ -1,0 +1,66 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import com.hivemq.client.mqtt.MqttClient;
+import com.hivemq.client.mqtt.MqttClientBuilder;
+import com.hivemq.client.mqtt.MqttClientSslConfig;
+import java.io.IOException;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import no.hials.crosscom.cell.FileException;
+import org.jspecify.annotations.Nullable;
+
+/** One connection to a broker, from its beginning to its end. It does not reconnect. */
+interface Link {
+  /** The time after which a silent broker is taken for lost is one and a half times as long. */
+  int KEEP_ALIVE_SECONDS = 10;
+
+  /** Connects, with a clean session: nothing waits in the broker for this client. */
+  CompletableFuture<?> connect();
+
+  /** Subscribes to a topic filter. */
+  CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver);
+
+  /** Publishes a message. The future ends when the broker has it, as far as its quality tells. */
+  CompletableFuture<?> publish(Publication message);
+
+  /** Ends the connection, so that the broker does not publish the will. */
+  CompletableFuture<?> disconnect();
+
+  /**
+   * Creates a link.
+   *
+   * @param lost called with the reason when the connection is lost or could not be made
+   * @throws IOException if the files of the settings cannot be read
+   */
+  static Link create(BrokerSettings settings, Publication will, Consumer<Throwable> lost)
+      throws IOException {
+    MqttClientBuilder builder =
+        MqttClient.builder()
+            .serverHost(settings.host())
+            .serverPort(settings.port())
+            .addDisconnectedListener(context -> lost.accept(context.getCause()));
+    if (settings.clientId() != null) {
+      builder = builder.identifier(settings.clientId());
+    }
+    if (settings.tls()) {
+      // without a verifier of its own, the client checks the name of the host as for HTTPS
+      builder =
+          builder.sslConfig(
+              settings.caFile() == null
+                  ? MqttClientSslConfig.builder().build()
+                  : MqttClientSslConfig.builder()
+                      .trustManagerFactory(BrokerSettings.trust(settings.caFile()))
+                      .build());
+    }
+    String password = password(settings);
+    return settings.version() == 5
+        ? new Mqtt5Link(builder, settings.user(), password, will)
+        : new Mqtt3Link(builder, settings.user(), password, will);
+  }
+
+  private static @Nullable String password(BrokerSettings settings) throws FileException {
+    return settings.passwordFile() == null
+        ? null
+        : BrokerSettings.password(settings.passwordFile());
+  }
+}

@@ -1,0 +1,86 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import com.hivemq.client.mqtt.MqttClientBuilder;
+import com.hivemq.client.mqtt.datatypes.MqttQos;
+import com.hivemq.client.mqtt.mqtt3.Mqtt3AsyncClient;
+import com.hivemq.client.mqtt.mqtt3.message.auth.Mqtt3SimpleAuth;
+import com.hivemq.client.mqtt.mqtt3.message.auth.Mqtt3SimpleAuthBuilder;
+import com.hivemq.client.mqtt.mqtt3.message.connect.Mqtt3Connect;
+import com.hivemq.client.mqtt.mqtt3.message.connect.Mqtt3ConnectBuilder;
+import com.hivemq.client.mqtt.mqtt3.message.publish.Mqtt3Publish;
+import java.nio.ByteBuffer;
+import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** A connection by MQTT 3.1.1. */
+final class Mqtt3Link implements Link {
+  private final Mqtt3AsyncClient client;
+  private final Mqtt3Connect connect;
+
+  Mqtt3Link(
+      MqttClientBuilder builder,
+      @Nullable String user,
+      @Nullable String password,
+      Publication will) {
+    client = builder.useMqttVersion3().buildAsync();
+    Mqtt3ConnectBuilder connecting =
+        Mqtt3Connect.builder()
+            .cleanSession(true)
+            .keepAlive(KEEP_ALIVE_SECONDS)
+            .willPublish(message(will));
+    if (user != null) {
+      Mqtt3SimpleAuthBuilder.Complete login = Mqtt3SimpleAuth.builder().username(user);
+      connecting =
+          connecting.simpleAuth(
+              password == null ? login.build() : login.password(password.getBytes(UTF_8)).build());
+    }
+    connect = connecting.build();
+  }
+
+  private static Mqtt3Publish message(Publication message) {
+    return Mqtt3Publish.builder()
+        .topic(message.topic())
+        .payload(message.payload())
+        .qos(Objects.requireNonNull(MqttQos.fromCode(message.qos())))
+        .retain(message.retained())
+        .build();
+  }
+
+  @Override
+  public CompletableFuture<?> connect() {
+    return client.connect(connect);
+  }
+
+  @Override
+  public CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver) {
+    return client
+        .subscribeWith()
+        .topicFilter(filter)
+        .qos(Objects.requireNonNull(MqttQos.fromCode(qos)))
+        .callback(
+            message ->
+                receiver.accept(
+                    new Received(
+                        message.getTopic().toString(),
+                        ByteBuffer.wrap(message.getPayloadAsBytes()),
+                        message.isRetain(),
+                        "",
+                        null,
+                        null)))
+        .send();
+  }
+
+  @Override
+  public CompletableFuture<?> publish(Publication message) {
+    return client.publish(message(message));
+  }
+
+  @Override
+  public CompletableFuture<?> disconnect() {
+    return client.disconnect();
+  }
+}

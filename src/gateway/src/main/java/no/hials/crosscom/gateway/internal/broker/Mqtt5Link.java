@@ -1,0 +1,104 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import com.hivemq.client.mqtt.MqttClientBuilder;
+import com.hivemq.client.mqtt.datatypes.MqttQos;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
+import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuth;
+import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuthBuilder;
+import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5Connect;
+import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5ConnectBuilder;
+import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5PublishBuilder;
+import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5RetainHandling;
+import java.nio.ByteBuffer;
+import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** A connection by MQTT 5. */
+final class Mqtt5Link implements Link {
+  /** The user property in which a client can tell who it is. */
+  private static final String SENDER = "client-id";
+
+  private final Mqtt5AsyncClient client;
+  private final Mqtt5Connect connect;
+
+  Mqtt5Link(
+      MqttClientBuilder builder,
+      @Nullable String user,
+      @Nullable String password,
+      Publication will) {
+    client = builder.useMqttVersion5().buildAsync();
+    Mqtt5ConnectBuilder connecting =
+        Mqtt5Connect.builder()
+            .cleanStart(true)
+            .keepAlive(KEEP_ALIVE_SECONDS)
+            .willPublish(message(will));
+    if (user != null) {
+      Mqtt5SimpleAuthBuilder.Complete login = Mqtt5SimpleAuth.builder().username(user);
+      connecting =
+          connecting.simpleAuth(
+              password == null ? login.build() : login.password(password.getBytes(UTF_8)).build());
+    }
+    connect = connecting.build();
+  }
+
+  private static Mqtt5Publish message(Publication message) {
+    Mqtt5PublishBuilder.Complete builder =
+        Mqtt5Publish.builder()
+            .topic(message.topic())
+            .payload(message.payload())
+            .qos(Objects.requireNonNull(MqttQos.fromCode(message.qos())))
+            .retain(message.retained());
+    if (message.correlation() != null) {
+      builder = builder.correlationData(message.correlation());
+    }
+    return builder.build();
+  }
+
+  @Override
+  public CompletableFuture<?> connect() {
+    return client.connect(connect);
+  }
+
+  @Override
+  public CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver) {
+    return client
+        .subscribeWith()
+        .topicFilter(filter)
+        .qos(Objects.requireNonNull(MqttQos.fromCode(qos)))
+        .retainHandling(Mqtt5RetainHandling.SEND)
+        .retainAsPublished(true)
+        .callback(message -> receiver.accept(received(message)))
+        .send();
+  }
+
+  private static Received received(Mqtt5Publish message) {
+    String sender =
+        message.getUserProperties().asList().stream()
+            .filter(property -> property.getName().toString().equals(SENDER))
+            .map(property -> property.getValue().toString())
+            .findFirst()
+            .orElse("");
+    return new Received(
+        message.getTopic().toString(),
+        ByteBuffer.wrap(message.getPayloadAsBytes()),
+        message.isRetain(),
+        sender,
+        message.getResponseTopic().map(Object::toString).orElse(null),
+        message.getCorrelationData().orElse(null));
+  }
+
+  @Override
+  public CompletableFuture<?> publish(Publication message) {
+    return client.publish(message(message));
+  }
+
+  @Override
+  public CompletableFuture<?> disconnect() {
+    return client.disconnect();
+  }
+}

@@ -1,0 +1,20 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A message to a broker.
+ *
+ * @param qos the quality of service, 0 to 2
+ * @param retained whether the broker keeps it for those that subscribe later
+ * @param correlation the data that an answer repeats, with MQTT 5 only; null for none
+ */
+public record Publication(
+    String topic, ByteBuffer payload, int qos, boolean retained, @Nullable ByteBuffer correlation) {
+
+  /** Creates a message that is not an answer. */
+  public Publication(String topic, byte[] payload, int qos, boolean retained) {
+    this(topic, ByteBuffer.wrap(payload).asReadOnlyBuffer(), qos, retained, null);
+  }
+}

@@ -1,0 +1,20 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import java.nio.ByteBuffer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A message from a broker.
+ *
+ * @param retained whether the broker has kept it, so that nobody knows how old it is
+ * @param sender the client that has sent it, by its own account; empty if it does not say
+ * @param responseTopic where it wants the answer, with MQTT 5 only
+ * @param correlation the data that the answer repeats, with MQTT 5 only
+ */
+public record Received(
+    String topic,
+    ByteBuffer payload,
+    boolean retained,
+    String sender,
+    @Nullable String responseTopic,
+    @Nullable ByteBuffer correlation) {}

@@ -1,0 +1,443 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import com.hivemq.client.mqtt.exceptions.MqttEncodeException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubRecException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.locks.LockSupport;
+import no.hials.crosscom.gateway.Health;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * A lasting connection to a broker, with a thread of its own. Messages that the broker has not
+ * confirmed when the connection is lost, and those that come until it is back, go to a store on
+ * disk. The number of messages in memory is bounded.
+ */
+public final class Session implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Session.class);
+
+  /** Updates that wait for the thread, a second of a large plant. */
+  private static final int INBOX = 20_000;
+
+  /** Messages that wait for the confirmation of the broker. */
+  private static final int MAX_IN_FLIGHT = 1000;
+
+  private static final int TASKS_AT_ONCE = 200;
+  private static final long FIRST_DELAY = Duration.ofMillis(100).toNanos();
+  private static final long LAST_DELAY = Duration.ofSeconds(5).toNanos();
+  private static final long TICK = Duration.ofMillis(250).toNanos();
+  private static final long PAUSE = Duration.ofMillis(50).toNanos();
+  private static final long END = Duration.ofSeconds(2).toNanos();
+
+  private final BrokerSettings settings;
+  private final String name;
+  private final Path folder;
+  private final SessionFigures figures;
+  private final Inbox inbox = new Inbox(INBOX);
+  private final Queue<Runnable> events = new ConcurrentLinkedQueue<>();
+  private final Thread thread;
+  private volatile boolean closing;
+
+  // used by the thread only
+  private final Deque<Outgoing> inFlight = new ArrayDeque<>();
+  private @Nullable MessageStore store;
+  private @Nullable Traffic traffic;
+  private @Nullable Link link;
+  private boolean connected;
+  private boolean forwarding;
+  private long nextAttempt = System.nanoTime();
+  private long delay = FIRST_DELAY;
+  private long nextTick = System.nanoTime();
+  private String lastFailure = "";
+
+  /** A message on its way. */
+  private static final class Outgoing {
+    /** Goes to the store if the broker does not confirm the message; null to forget it. */
+    private final @Nullable StoredMessage spare;
+
+    private final boolean fromStore;
+    private boolean done;
+
+    Outgoing(@Nullable StoredMessage spare, boolean fromStore) {
+      this.spare = spare;
+      this.fromStore = fromStore;
+    }
+  }
+
+  /**
+   * Creates a session, which {@link #start} begins.
+   *
+   * @param name its name in logs and figures
+   * @param folder the folder of its store
+   */
+  public Session(BrokerSettings settings, String name, Path folder, Health health) {
+    this.settings = settings;
+    this.name = name;
+    this.folder = folder;
+    this.figures = new SessionFigures(health, name);
+    this.thread = new Thread(this::run, "mqtt-" + name);
+    thread.setDaemon(true);
+  }
+
+  /** Starts to connect. */
+  public void start(Traffic what) {
+    traffic = what;
+    thread.start();
+  }
+
+  /**
+   * Runs a task on the thread of the session, later and in order. Does not block. If too many
+   * updates wait, the oldest are lost and counted.
+   *
+   * @param updates the number of updates in it; 0 for a task that must not be lost
+   */
+  public void submit(int updates, Runnable task) {
+    figures.dropped("queue", inbox.add(updates, task));
+    LockSupport.unpark(thread);
+  }
+
+  /** Returns whether the broker is connected; for the thread of the session. */
+  public boolean isConnected() {
+    return connected;
+  }
+
+  /**
+   * Publishes a message; for the thread of the session.
+   *
+   * @param spare what to store if the broker does not get the message; null to forget it
+   * @return whether it is on its way, and not only stored
+   */
+  public boolean publish(Publication message, @Nullable StoredMessage spare) {
+    if (connected && (spare == null || inFlight.size() < MAX_IN_FLIGHT)) {
+      send(message, new Outgoing(spare, false));
+      return true;
+    }
+    if (spare != null) {
+      store().add(spare);
+    }
+    return false;
+  }
+
+  /** Publishes a stored message; for {@link Traffic#forward}. */
+  public void publishStored(Publication message, StoredMessage stored) {
+    send(message, new Outgoing(stored, true));
+  }
+
+  /** Forgets a stored message that can no more be published, which is counted. */
+  public void dropStored(StoredMessage stored) {
+    figures.dropped("unknown", 1);
+    Outgoing one = new Outgoing(stored, true);
+    one.done = true;
+    inFlight.add(one);
+    confirm();
+  }
+
+  private MessageStore store() {
+    MessageStore opened = store;
+    if (opened == null) {
+      opened = new MessageStore(folder, settings.storeLimit(), figures);
+      store = opened;
+    }
+    return opened;
+  }
+
+  private void send(Publication message, Outgoing one) {
+    inFlight.add(one);
+    Link over = link;
+    if (over == null) {
+      return;
+    }
+    CompletableFuture<?> unused =
+        over.publish(message)
+            .whenComplete((result, failure) -> post(() -> sent(over, message, one, failure)));
+  }
+
+  private void post(Runnable event) {
+    events.add(event);
+    LockSupport.unpark(thread);
+  }
+
+  private void sent(Link over, Publication message, Outgoing one, @Nullable Throwable failure) {
+    if (over != link) {
+      return;
+    }
+    Throwable cause = cause(failure);
+    if (cause == null) {
+      figures.published.inc();
+      one.done = true;
+      confirm();
+    } else if (cause instanceof Mqtt5PubAckException
+        || cause instanceof Mqtt5PubRecException
+        || cause instanceof MqttEncodeException) {
+      figures.dropped("refused", 1);
+      LOG.warn("MQTT {}: the broker refuses {}: {}", name, message.topic(), cause.getMessage());
+      one.done = true;
+      confirm();
+    } else {
+      lost(over, cause);
+    }
+  }
+
+  private static @Nullable Throwable cause(@Nullable Throwable failure) {
+    return failure instanceof CompletionException && failure.getCause() != null
+        ? failure.getCause()
+        : failure;
+  }
+
+  /** Forgets the oldest messages that are done. */
+  private void confirm() {
+    for (Outgoing first = inFlight.peek(); first != null && first.done; first = inFlight.peek()) {
+      inFlight.remove();
+      if (first.fromStore && first.spare != null) {
+        store().confirm(first.spare);
+      }
+    }
+  }
+
+  private Traffic traffic() {
+    if (traffic == null) {
+      throw new IllegalStateException("not started");
+    }
+    return traffic;
+  }
+
+  private void run() {
+    if (!store().isEmpty()) {
+      LOG.info("MQTT {}: {} messages are stored from before", name, store().size());
+    }
+    long endBy = 0;
+    while (endBy == 0 || System.nanoTime() - endBy < 0) {
+      boolean busy = false;
+      try {
+        busy = step();
+      } catch (RuntimeException e) {
+        LOG.error("MQTT {}: a message is lost", name, e);
+        figures.dropped("error", 1);
+      }
+      if (closing && endBy == 0 && !busy) {
+        endBy = System.nanoTime() + END;
+        traffic().closing();
+      }
+      if (endBy != 0 && (!connected || inFlight.isEmpty())) {
+        break;
+      }
+      if (!busy) {
+        LockSupport.parkNanos(PAUSE);
+      }
+    }
+    end();
+  }
+
+  /** Does a part of the work, and returns whether there may be more. */
+  private boolean step() {
+    boolean busy = false;
+    for (Runnable event = events.poll(); event != null; event = events.poll()) {
+      event.run();
+      busy = true;
+    }
+    long now = System.nanoTime();
+    if (link == null && !closing && now - nextAttempt >= 0) {
+      connect();
+    }
+    if (now - nextTick >= 0) {
+      nextTick = now + TICK;
+      traffic().tick();
+    }
+    for (int i = 0; i < TASKS_AT_ONCE && mayTake(); i++) {
+      Runnable task = inbox.poll();
+      if (task == null) {
+        break;
+      }
+      busy = true;
+      task.run();
+    }
+    return forward() || busy;
+  }
+
+  /** Returns whether an update can be published or, if too many wait, must be stored. */
+  private boolean mayTake() {
+    return !connected || inFlight.size() < MAX_IN_FLIGHT || closing || inbox.isHalfFull();
+  }
+
+  /** Sends stored messages, which have half of the room so that new ones do not wait. */
+  private boolean forward() {
+    boolean busy = false;
+    while (connected && !closing && forwarding && inFlight.size() < MAX_IN_FLIGHT / 2) {
+      StoredMessage next = store().next();
+      if (next == null) {
+        break;
+      }
+      busy = true;
+      traffic().forward(next);
+    }
+    if (connected && forwarding && store().isEmpty()) {
+      forwarding = false;
+      LOG.info("MQTT {}: all stored messages are forwarded", name);
+      traffic().forwarded();
+    }
+    if (connected && !store().isEmpty()) {
+      forwarding = true;
+    }
+    return busy;
+  }
+
+  private void connect() {
+    Link[] self = new Link[1];
+    try {
+      Link next =
+          Link.create(
+              settings,
+              traffic().will(),
+              failure -> post(() -> lost(self[0], String.valueOf(failure.getMessage()))));
+      self[0] = next;
+      link = next;
+      CompletableFuture<?> unused =
+          next.connect()
+              .thenCompose(ack -> subscribe(next))
+              .whenComplete(
+                  (result, failure) ->
+                      post(
+                          () -> {
+                            Throwable cause = cause(failure);
+                            if (cause == null) {
+                              connected(next);
+                            } else {
+                              lost(next, cause);
+                            }
+                          }));
+    } catch (IOException | RuntimeException e) {
+      failed(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private CompletableFuture<?> subscribe(Link over) {
+    List<CompletableFuture<?>> all = new ArrayList<>();
+    for (Traffic.Subscription one : traffic().subscriptions()) {
+      all.add(
+          over.subscribe(one.filter(), one.qos(), one.receiver())
+              .handle(
+                  (result, failure) -> {
+                    if (failure != null) {
+                      LOG.error(
+                          "MQTT {}: the broker refuses to subscribe {}: {}",
+                          name,
+                          one.filter(),
+                          failure.getMessage());
+                    }
+                    return result;
+                  }));
+    }
+    return CompletableFuture.allOf(all.toArray(CompletableFuture<?>[]::new));
+  }
+
+  private void connected(Link over) {
+    if (over != link) {
+      return;
+    }
+    connected = true;
+    delay = FIRST_DELAY;
+    lastFailure = "";
+    figures.connected.set(1);
+    if (store().isEmpty()) {
+      LOG.info("MQTT {}: connected to {}", name, settings.url());
+    } else {
+      LOG.info(
+          "MQTT {}: connected to {}, {} stored messages are forwarded",
+          name,
+          settings.url(),
+          store().size());
+    }
+    traffic().connected();
+  }
+
+  private void lost(@Nullable Link over, Throwable cause) {
+    lost(over, String.valueOf(cause.getMessage()));
+  }
+
+  private void lost(@Nullable Link over, String reason) {
+    if (over == null || over != link) {
+      return;
+    }
+    boolean was = connected;
+    connected = false;
+    link = null;
+    figures.connected.set(0);
+    CompletableFuture<?> unused = over.disconnect().exceptionally(failure -> null);
+    keep();
+    if (was) {
+      LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
+      nextAttempt = System.nanoTime() + delay;
+    } else {
+      failed(reason);
+    }
+  }
+
+  private void failed(String reason) {
+    if (!reason.equals(lastFailure)) {
+      LOG.warn("MQTT {}: cannot connect to {}: {}", name, settings.url(), reason);
+    }
+    lastFailure = reason;
+    nextAttempt = System.nanoTime() + delay;
+    delay = Math.min(2 * delay, LAST_DELAY);
+  }
+
+  /** Stores what the broker has not confirmed, and forwards the rest of the store later. */
+  private void keep() {
+    store().rewind();
+    for (Outgoing one : inFlight) {
+      if (!one.done && !one.fromStore && one.spare != null) {
+        store().add(one.spare);
+      }
+    }
+    inFlight.clear();
+    forwarding = false;
+  }
+
+  private void end() {
+    for (Runnable task = inbox.poll(); task != null; task = inbox.poll()) {
+      task.run();
+    }
+    Link last = link;
+    connected = false;
+    keep();
+    figures.connected.set(0);
+    store().close();
+    if (last != null) {
+      link = null;
+      try {
+        last.disconnect().get(END, TimeUnit.NANOSECONDS);
+      } catch (ExecutionException | TimeoutException e) {
+        LOG.debug("MQTT {}: the connection was not ended in order", name, e);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+  }
+
+  /** Publishes or stores what is submitted, and ends the connection. */
+  @Override
+  public void close() {
+    closing = true;
+    LockSupport.unpark(thread);
+    try {
+      thread.join(TimeUnit.NANOSECONDS.toMillis(3 * END));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

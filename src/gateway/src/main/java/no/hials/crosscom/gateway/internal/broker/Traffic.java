@@ -1,0 +1,35 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import java.util.List;
+import java.util.function.Consumer;
+
+/** What is sent over a session. All methods but the receivers are called on its thread. */
+public interface Traffic {
+  /**
+   * A subscription of a session.
+   *
+   * @param receiver called on a thread of the connection; it must not block
+   */
+  record Subscription(String filter, int qos, Consumer<Received> receiver) {}
+
+  /** Returns the will of the next connection. */
+  Publication will();
+
+  /** Returns the subscriptions. */
+  List<Subscription> subscriptions();
+
+  /** Called when the broker is connected and has the subscriptions. */
+  void connected();
+
+  /** Called four times a second, whether connected or not. */
+  void tick();
+
+  /** Called with each stored message, in their order, while the broker is connected. */
+  void forward(StoredMessage message);
+
+  /** Called when the broker has all stored messages. */
+  void forwarded();
+
+  /** Called before the connection is ended in order. */
+  void closing();
+}

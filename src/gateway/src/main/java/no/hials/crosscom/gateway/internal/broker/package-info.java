@@ -1,0 +1,8 @@
+/**
+ * A connection to an MQTT broker that keeps what it cannot deliver: links by MQTT 3.1.1 and 5, the
+ * store on disk, and the commands that arrive.
+ */
+@NullMarked
+package no.hials.crosscom.gateway.internal.broker;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,72 @@
+package no.hials.crosscom.gateway.internal.mqtt;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.UUID;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.Output;
+import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
+import no.hials.crosscom.gateway.internal.broker.Commands;
+import no.hials.crosscom.gateway.internal.broker.Session;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** Publishes the values of robots to an MQTT broker. */
+final class MqttOutput implements Output {
+  private static final Logger LOG = LoggerFactory.getLogger(MqttOutput.class);
+
+  private final Session session;
+
+  private final PlainTraffic traffic;
+  private final @Nullable Commands commands;
+
+  MqttOutput(MqttSettings settings, GatewayContext context) {
+    BrokerSettings broker = settings.broker();
+    if (broker.clientId() == null) {
+      broker = broker.withClientId("jopenshowvar-" + UUID.randomUUID().toString().substring(0, 8));
+    }
+    Path folder = context.folder().resolve("mqtt-store");
+    session = new Session(broker, "plain", folder.resolve("plain"), context.health());
+    commands = settings.commands() ? new Commands(context) : null;
+    traffic = plainTraffic(settings, context, commands);
+    LOG.info("MQTT: publishes to {}, topics {}/#", broker.url(), settings.topic());
+    session.start(traffic);
+  }
+
+  private PlainTraffic plainTraffic(
+      MqttSettings settings, GatewayContext context, @Nullable Commands executor) {
+    if (executor == null) {
+      return new PlainTraffic(settings, session, context, null);
+    }
+    TopicCommands topicCommands =
+        new TopicCommands(
+            settings, executor, message -> session.submit(1, () -> session.publish(message, null)));
+    return new PlainTraffic(settings, session, context, topicCommands::receive);
+  }
+
+  @Override
+  public void added(RobotFeed robot) {
+    session.submit(0, () -> traffic.added(robot));
+  }
+
+  @Override
+  public void updated(RobotFeed robot, List<Update> updates) {
+    session.submit(updates.size(), () -> traffic.updated(robot, updates));
+  }
+
+  @Override
+  public void removed(RobotFeed robot) {
+    session.submit(0, () -> traffic.removed(robot));
+  }
+
+  @Override
+  public void close() {
+    if (commands != null) {
+      commands.close();
+    }
+    session.close();
+  }
+}

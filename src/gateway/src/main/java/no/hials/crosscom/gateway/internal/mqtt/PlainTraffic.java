@@ -1,0 +1,187 @@
+package no.hials.crosscom.gateway.internal.mqtt;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.internal.broker.Publication;
+import no.hials.crosscom.gateway.internal.broker.Received;
+import no.hials.crosscom.gateway.internal.broker.Session;
+import no.hials.crosscom.gateway.internal.broker.StoredMessage;
+import no.hials.crosscom.gateway.internal.broker.Traffic;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Publishes each variable on a topic of its own. Values of now are retained; stored ones are not,
+ * so that a retained value is never older than one before it. Used by the thread of the session.
+ */
+final class PlainTraffic implements Traffic {
+  private static final byte[] NOTHING = {};
+
+  private final Topics topics;
+  private final int qos;
+  private final Session session;
+  private final GatewayContext context;
+  private final @Nullable Consumer<Received> commands;
+  private final ValueJson json = new ValueJson();
+
+  /** The last message of each topic, by robot and topic. */
+  private final Map<String, Map<String, byte[]>> current = new HashMap<>();
+
+  /** The robots, and whether their topics tell that they are connected. */
+  private final Map<RobotFeed, Boolean> robots = new LinkedHashMap<>();
+
+  /** Topics on which an older value was published after the last one. */
+  private final Set<String> behind = new LinkedHashSet<>();
+
+  /**
+   * Creates the traffic.
+   *
+   * @param commands takes the commands; null if there are none
+   */
+  PlainTraffic(
+      MqttSettings settings,
+      Session session,
+      GatewayContext context,
+      @Nullable Consumer<Received> commands) {
+    this.topics = new Topics(settings.topic());
+    this.qos = settings.qos();
+    this.session = session;
+    this.context = context;
+    this.commands = commands;
+  }
+
+  @Override
+  public Publication will() {
+    return status("offline");
+  }
+
+  private Publication status(String text) {
+    return new Publication(topics.gateway(), text.getBytes(UTF_8), 1, true);
+  }
+
+  @Override
+  public List<Subscription> subscriptions() {
+    return commands == null ? List.of() : List.of(new Subscription(topics.commands(), 0, commands));
+  }
+
+  @Override
+  public void connected() {
+    session.publish(status("online"), null);
+    robots.forEach(this::publishStatus);
+    behind.clear();
+    current.values().forEach(messages -> messages.forEach(this::retain));
+  }
+
+  private void retain(String topic, byte[] payload) {
+    session.publish(new Publication(topic, payload, qos, true), null);
+  }
+
+  @Override
+  public void tick() {
+    for (Map.Entry<RobotFeed, Boolean> robot : robots.entrySet()) {
+      boolean now = robot.getKey().isConnected();
+      if (now != robot.getValue()) {
+        robot.setValue(now);
+        publishStatus(robot.getKey(), now);
+      }
+    }
+  }
+
+  private void publishStatus(RobotFeed robot, boolean connected) {
+    retain(
+        topics.robot(robot.name()),
+        ValueJson.object(
+            fields -> {
+              fields.writeStringField("time", ValueJson.time(Instant.now()));
+              fields.writeStringField("state", connected ? "connected" : "disconnected");
+            }));
+  }
+
+  /** Takes a robot. */
+  void added(RobotFeed robot) {
+    robots.put(robot, robot.isConnected());
+    publishStatus(robot, robot.isConnected());
+  }
+
+  /** Publishes what a robot has. */
+  void updated(RobotFeed robot, List<Update> updates) {
+    Map<String, byte[]> messages = current.computeIfAbsent(robot.name(), it -> new HashMap<>());
+    for (Update update : updates) {
+      String topic = topics.variable(robot.name(), update.variable().key());
+      byte[] payload = json.of(update);
+      messages.put(topic, payload);
+      boolean live =
+          session.publish(
+              new Publication(topic, payload, qos, true), new StoredMessage(topic, payload));
+      if (live) {
+        behind.remove(topic);
+      } else if (session.isConnected()) {
+        behind.add(topic);
+      }
+    }
+  }
+
+  /** Forgets a robot. The broker forgets the values that the configuration has no more. */
+  void removed(RobotFeed robot) {
+    robots.remove(robot);
+    publishStatus(robot, false);
+    Set<String> kept =
+        context.plant().plans().stream()
+            .filter(plan -> plan.robot().name().equals(robot.name()))
+            .map(PollPlan::variables)
+            .flatMap(variables -> variables.keySet().stream())
+            .map(key -> topics.variable(robot.name(), key))
+            .collect(Collectors.toSet());
+    Map<String, byte[]> messages = current.getOrDefault(robot.name(), Map.of());
+    for (String topic : new ArrayList<>(messages.keySet())) {
+      if (!kept.contains(topic)) {
+        messages.remove(topic);
+        retain(topic, NOTHING);
+      }
+    }
+    if (!context.plant().robots().containsKey(robot.name())) {
+      retain(topics.robot(robot.name()), NOTHING);
+      current.remove(robot.name());
+    }
+  }
+
+  @Override
+  public void forward(StoredMessage message) {
+    behind.add(message.topic());
+    session.publishStored(
+        new Publication(message.topic(), message.payload(), qos, false, null), message);
+  }
+
+  @Override
+  public void forwarded() {
+    current
+        .values()
+        .forEach(
+            messages ->
+                messages.forEach(
+                    (topic, payload) -> {
+                      if (behind.contains(topic)) {
+                        retain(topic, payload);
+                      }
+                    }));
+    behind.clear();
+  }
+
+  @Override
+  public void closing() {
+    session.publish(status("offline"), null);
+  }
+}

@@ -1,0 +1,141 @@
+package no.hials.crosscom.gateway.internal.mqtt;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.time.Instant;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import no.hials.crosscom.gateway.internal.broker.Commands;
+import no.hials.crosscom.gateway.internal.broker.Publication;
+import no.hials.crosscom.gateway.internal.broker.Received;
+import org.jspecify.annotations.Nullable;
+
+/** The commands on plain topics and the messages of their results. Thread-safe. */
+final class TopicCommands {
+  /** The commands whose identity is remembered, so that none is executed twice. */
+  private static final int REMEMBERED = 1000;
+
+  private static final int LONGEST_PAYLOAD = 10_000;
+  private static final JsonFactory JSON = new JsonFactory();
+
+  private final Topics topics;
+  private final int qos;
+  private final Commands commands;
+  private final Consumer<Publication> results;
+  private final Map<Identity, Boolean> known =
+      new LinkedHashMap<>() {
+        @Override
+        protected boolean removeEldestEntry(Map.Entry<Identity, Boolean> eldest) {
+          return size() > REMEMBERED;
+        }
+      };
+
+  /** What makes two messages one command. */
+  private record Identity(String topic, ByteBuffer correlation) {}
+
+  /**
+   * Creates the receiver of commands.
+   *
+   * @param results publishes a result; called on any thread
+   */
+  TopicCommands(MqttSettings settings, Commands commands, Consumer<Publication> results) {
+    this.topics = new Topics(settings.topic());
+    this.qos = settings.qos();
+    this.commands = commands;
+    this.results = results;
+  }
+
+  /** Takes a message. Does not block. */
+  void receive(Received message) {
+    List<String> target = topics.target(message.topic());
+    if (target == null) {
+      return;
+    }
+    String robot = target.get(0);
+    String variable = target.get(1).toUpperCase(Locale.ROOT);
+    String who = "mqtt:" + (message.sender().isEmpty() ? "unknown" : message.sender());
+    String text = UTF_8.decode(message.payload().duplicate()).toString();
+    String refusal = refusal(message);
+    if (refusal == null) {
+      try {
+        String value = value(text);
+        commands.execute(who, robot, variable, value, result -> answer(message, value, result));
+        return;
+      } catch (IllegalArgumentException e) {
+        refusal = String.valueOf(e.getMessage());
+      }
+    }
+    answer(message, text, commands.refused(who, robot, variable, refusal));
+  }
+
+  private @Nullable String refusal(Received message) {
+    if (message.retained()) {
+      return "a retained command is not executed: nobody knows how old it is";
+    }
+    if (message.payload().remaining() > LONGEST_PAYLOAD) {
+      return "the command is longer than " + LONGEST_PAYLOAD + " bytes";
+    }
+    ByteBuffer correlation = message.correlation();
+    if (correlation != null && message.responseTopic() != null) {
+      synchronized (known) {
+        if (known.put(new Identity(message.topic(), correlation), true) != null) {
+          return "not executed: a command with the same correlation data was received before";
+        }
+      }
+    }
+    return null;
+  }
+
+  /** Returns the value of a command as KRL writes it. */
+  private static String value(String text) {
+    // a structure of KRL has a name after its brace, and not a quote
+    if (!text.strip().matches("(?s)\\{\\s*\".*")) {
+      return text;
+    }
+    String rule = "must be {\"value\": ...} with a number, text or truth value, is " + text;
+    try (JsonParser parser = JSON.createParser(text)) {
+      parser.nextToken();
+      if (!"value".equals(parser.nextFieldName())) {
+        throw new IllegalArgumentException(rule);
+      }
+      String value =
+          switch (parser.nextToken()) {
+            case VALUE_STRING, VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT -> parser.getText();
+            case VALUE_TRUE -> "TRUE";
+            case VALUE_FALSE -> "FALSE";
+            default -> throw new IllegalArgumentException(rule);
+          };
+      if (parser.nextToken() != JsonToken.END_OBJECT || parser.nextToken() != null) {
+        throw new IllegalArgumentException(rule);
+      }
+      return value;
+    } catch (IOException e) {
+      throw new IllegalArgumentException(rule, e);
+    }
+  }
+
+  private void answer(Received command, String value, String result) {
+    byte[] payload =
+        ValueJson.object(
+            json -> {
+              json.writeStringField("time", ValueJson.time(Instant.now()));
+              json.writeStringField("value", value);
+              json.writeStringField("result", result);
+            });
+    results.accept(new Publication(Topics.result(command.topic()), payload, qos, false));
+    String response = command.responseTopic();
+    // a topic of our own could be a command again
+    if (response != null && !response.startsWith(topics.prefix() + "/")) {
+      results.accept(
+          new Publication(response, ByteBuffer.wrap(payload), qos, false, command.correlation()));
+    }
+  }
+}

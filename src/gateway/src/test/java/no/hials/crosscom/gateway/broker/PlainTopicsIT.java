@@ -1,0 +1,100 @@
+package no.hials.crosscom.gateway.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class PlainTopicsIT extends BrokerTest {
+  @ParameterizedTest
+  @ValueSource(ints = {3, 5})
+  void publishesEachVariableAsRetainedJson(int version) throws Exception {
+    broker = Mosquitto.open(folder);
+    robot.variables().set("$OV_PRO", "73");
+    start(READ_ALL + mqtt(broker, "version = " + version));
+    try (Observer first = new Observer(broker.port()).subscribe("robots/#")) {
+      first.await("robots/cell1/$OV_PRO", "73");
+      first.await("robots/cell1/$POS_ACT", "good");
+      first.await("robots/cell1/$MODE_OP", "good");
+      first.await("robots/cell1/NOSUCH", "bad");
+    }
+
+    try (Observer late = new Observer(broker.port()).subscribe("robots/#")) {
+      Mqtt5Publish override = late.await("robots/cell1/$OV_PRO", "73");
+      assertThat(override.isRetain()).isTrue();
+      assertThat(Observer.text(override))
+          .matches(
+              "\\{\"time\":\"\\d{4}-\\d\\d-\\d\\dT\\d\\d:\\d\\d:\\d\\d\\.\\d{3}Z\",\"value\":73,"
+                  + "\"unit\":\"%\",\"quality\":\"good\"}");
+      assertThat(Observer.text(late.await("robots/cell1/$POS_ACT", "good")))
+          .contains("\"value\":{\"X\":", "\"unit\":{\"X\":\"mm\",", "\"A\":\"\\u00B0\"");
+      assertThat(Observer.text(late.await("robots/cell1/$MODE_OP", "good")))
+          .contains("\"value\":\"#T1\"")
+          .doesNotContain("unit");
+      assertThat(Observer.text(late.await("robots/cell1/NOSUCH", "bad")))
+          .contains("\"value\":null,\"quality\":\"bad\",\"reason\":\"")
+          .contains("NOSUCH");
+      late.await("robots/cell1/$status", "\"connected\"");
+      assertThat(Observer.text(late.await("robots/gateway/status", ""))).isEqualTo("online");
+    }
+  }
+
+  @Test
+  void tellsThatARobotIsLostAndThatItIsBack() throws Exception {
+    broker = Mosquitto.open(folder);
+    start(READ_ALL + mqtt(broker, "topic = \"plant/hall 1\""));
+    try (Observer observer = new Observer(broker.port()).subscribe("plant/hall 1/#")) {
+      observer.await("plant/hall 1/cell1/$OV_PRO", "good");
+
+      robot.refuseConnections();
+      robot.disconnectClients();
+
+      Mqtt5Publish stale = observer.await("plant/hall 1/cell1/$OV_PRO", "stale");
+      assertThat(Observer.text(stale))
+          .contains("\"value\":100", "\"quality\":\"stale\",\"reason\":\"");
+      observer.await("plant/hall 1/cell1/$status", "\"disconnected\"");
+
+      observer.forget();
+      robot.acceptConnections();
+
+      observer.await("plant/hall 1/cell1/$status", "\"connected\"");
+      observer.await("plant/hall 1/cell1/$OV_PRO", "good");
+    }
+  }
+
+  @Test
+  void theWillTellsThatTheGatewayIsGone() throws Exception {
+    broker = Mosquitto.open(folder);
+    start(READ_ALL + mqtt(broker));
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/gateway/status")) {
+      observer.await("robots/gateway/status", "online");
+
+      gateway.close();
+
+      observer.await("robots/gateway/status", "offline");
+    }
+  }
+
+  @Test
+  void theBrokerForgetsAVariableThatIsNoMoreRead() throws Exception {
+    broker = Mosquitto.open(folder);
+    start(READ_ALL + mqtt(broker));
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      observer.await("robots/cell1/$MODE_OP", "good");
+
+      gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt(broker)));
+
+      observer.await(
+          all ->
+              all.stream()
+                  .anyMatch(
+                      it ->
+                          it.getTopic().toString().equals("robots/cell1/$MODE_OP")
+                              && it.getPayloadAsBytes().length == 0));
+      observer.forget();
+      observer.await("robots/cell1/$OV_PRO", "good");
+    }
+  }
+}

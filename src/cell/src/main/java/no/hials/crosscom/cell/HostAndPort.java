@@ -37,6 +37,20 @@ public record HostAndPort(String host, @Nullable Integer port) {
     return new HostAndPort(host, form.matches() ? port(form.group(2)) : null);
   }
 
+  /**
+   * Parses an address to listen on.
+   *
+   * @param usual the port if the text names none; the port 0 in the text is a free one
+   * @throws IllegalArgumentException if it has another form, or the port is not 0 to 65535
+   */
+  public static HostAndPort listening(String text, int usual) {
+    if (text.endsWith(":0")) {
+      return new HostAndPort(parse(text.substring(0, text.length() - 2)).host(), 0);
+    }
+    HostAndPort parsed = parse(text);
+    return new HostAndPort(parsed.host(), parsed.portOr(null, usual));
+  }
+
   private static int port(String text) {
     try {
       return SettingText.port(text);

@@ -22,17 +22,9 @@ public final class PrometheusKind implements OutputKind<HostAndPort> {
   public HostAndPort read(TomlTable table) throws FileException {
     table.allow(ADDRESS);
     HostAndPort address =
-        table.converted(ADDRESS, PrometheusKind::address, TomlTable.TEXT, String.class);
+        table.converted(
+            ADDRESS, text -> HostAndPort.listening(text, PORT), TomlTable.TEXT, String.class);
     return address == null ? new HostAndPort("127.0.0.1", PORT) : address;
-  }
-
-  /** Parses an address to listen on; the port 0 is a free one. */
-  private static HostAndPort address(String text) {
-    if (text.endsWith(":0")) {
-      return new HostAndPort(HostAndPort.parse(text.substring(0, text.length() - 2)).host(), 0);
-    }
-    HostAndPort parsed = HostAndPort.parse(text);
-    return new HostAndPort(parsed.host(), parsed.portOr(null, PORT));
   }
 
   @Override

@@ -15,6 +15,7 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
+import no.hials.crosscom.gateway.internal.opcua.OpcUaKind;
 import no.hials.crosscom.gateway.internal.prometheus.PrometheusKind;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -45,7 +46,8 @@ import picocli.CommandLine.Spec;
     })
 public final class GatewayMain implements Callable<Integer> {
   private static final Logger LOG = LoggerFactory.getLogger(GatewayMain.class);
-  private static final List<OutputKind<?>> KINDS = List.of(new PrometheusKind(), new MqttKind());
+  private static final List<OutputKind<?>> KINDS =
+      List.of(new PrometheusKind(), new MqttKind(), new OpcUaKind());
   private static final long CHANGE_CHECK_SECONDS = 1;
   private static final int MAX_MOCKS = 1000;
   private static final int WRONG_USAGE = 2;

@@ -1,0 +1,250 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import static org.eclipse.milo.opcua.sdk.server.OpcUaServerConfig.USER_TOKEN_POLICY_ANONYMOUS;
+
+import io.prometheus.metrics.core.metrics.Gauge;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.Output;
+import org.eclipse.milo.opcua.sdk.server.EndpointConfig;
+import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
+import org.eclipse.milo.opcua.sdk.server.OpcUaServerConfig;
+import org.eclipse.milo.opcua.sdk.server.Session;
+import org.eclipse.milo.opcua.sdk.server.SessionListener;
+import org.eclipse.milo.opcua.stack.core.security.SecurityPolicy;
+import org.eclipse.milo.opcua.stack.core.types.builtin.DateTime;
+import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.MessageSecurityMode;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.UserTokenType;
+import org.eclipse.milo.opcua.stack.core.types.structured.BuildInfo;
+import org.eclipse.milo.opcua.stack.core.types.structured.UserTokenPolicy;
+import org.eclipse.milo.opcua.stack.transport.server.tcp.OpcTcpServerTransport;
+import org.eclipse.milo.opcua.stack.transport.server.tcp.OpcTcpServerTransportConfig;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/** The server: its end points, its address space, and its sessions. */
+final class OpcUaOutput implements Output {
+  private static final Logger LOG = LoggerFactory.getLogger(OpcUaOutput.class);
+  private static final String PRODUCT_URI = "urn:jopenshowvar:gateway";
+  private static final List<SecurityPolicy> POLICIES =
+      List.of(
+          SecurityPolicy.Basic256Sha256,
+          SecurityPolicy.Aes128_Sha256_RsaOaep,
+          SecurityPolicy.Aes256_Sha256_RsaPss);
+
+  private final OpcUaSettings settings;
+  private final GatewayContext context;
+  private final Users users;
+  private final RobotWrites writes;
+  private final Gauge sessions;
+  private final Pki pki;
+  private final int port;
+  private final ExecutorService executor =
+      Executors.newCachedThreadPool(
+          task -> {
+            Thread thread = new Thread(task, "opcua");
+            thread.setDaemon(true);
+            return thread;
+          });
+  private final OpcUaServer server;
+  private final CompanionTypes types;
+  private final RobotsNamespace namespace;
+  private final Map<String, RobotNodes> robots = new ConcurrentHashMap<>();
+
+  OpcUaOutput(OpcUaSettings settings, GatewayContext context) throws IOException {
+    this.settings = settings;
+    this.context = context;
+    users =
+        new Users(
+            settings,
+            context
+                .health()
+                .counter("opcua_logins_refused", "Log-ins that the OPC UA server has refused"));
+    writes = new RobotWrites(context);
+    sessions = context.health().gauge("opcua_sessions", "Sessions of OPC UA clients");
+    pki = Pki.open(context.folder().resolve("opcua").resolve("pki"), settings.host());
+    port = settings.port() == 0 ? freePort() : settings.port();
+    server =
+        new OpcUaServer(
+            config(),
+            profile ->
+                new OpcTcpServerTransport(
+                    OpcTcpServerTransportConfig.newBuilder().setExecutor(executor).build()));
+    types = new CompanionTypes(server);
+    namespace = new RobotsNamespace(server, types, writes);
+    types.startup();
+    namespace.startup();
+    server.updateReferenceTypeTree();
+    server.updateObjectTypeTree();
+    server.getSessionManager().addSessionListener(new Sessions());
+    start();
+    LOG.info("OPC UA: opc.tcp://{}:{}", settings.host(), port);
+  }
+
+  private int freePort() throws IOException {
+    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(settings.host()))) {
+      return socket.getLocalPort();
+    }
+  }
+
+  private void start() throws IOException {
+    try {
+      server.startup().get();
+    } catch (ExecutionException e) {
+      close();
+      throw new IOException(
+          "[opcua] cannot listen on " + settings.host() + ":" + port + ": is the port in use?", e);
+    } catch (InterruptedException e) {
+      close();
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted", e);
+    }
+  }
+
+  private OpcUaServerConfig config() {
+    return OpcUaServerConfig.builder()
+        .setApplicationName(LocalizedText.english("JOpenShowVar gateway"))
+        .setApplicationUri(pki.applicationUri())
+        .setProductUri(PRODUCT_URI)
+        .setBuildInfo(
+            new BuildInfo(
+                PRODUCT_URI, "JOpenShowVar", "JOpenShowVar gateway", version(), "", DateTime.now()))
+        .setCertificateManager(pki.manager())
+        .setIdentityValidator(users.validator())
+        .setEndpoints(endpoints())
+        .setExecutor(executor)
+        .build();
+  }
+
+  private static String version() {
+    String version = OpcUaOutput.class.getPackage().getImplementationVersion();
+    return version == null ? "" : version;
+  }
+
+  private Set<EndpointConfig> endpoints() {
+    Set<EndpointConfig> endpoints = new LinkedHashSet<>();
+    for (SecurityPolicy policy : POLICIES) {
+      endpoints.add(
+          endpoint()
+              .setSecurityPolicy(policy)
+              .setSecurityMode(MessageSecurityMode.SignAndEncrypt)
+              .build());
+    }
+    if (settings.allowNone()) {
+      endpoints.add(endpoint().build());
+    } else {
+      // where clients ask for the others; it has no sessions
+      endpoints.add(endpoint().setPath("/discovery").build());
+    }
+    return endpoints;
+  }
+
+  private EndpointConfig.Builder endpoint() {
+    String host = settings.host();
+    boolean any = host.equals("0.0.0.0") || host.equals("::");
+    return EndpointConfig.newBuilder()
+        .setBindAddress(host)
+        .setBindPort(port)
+        .setHostname(any ? Pki.computerName() : host)
+        .setPath("")
+        .setCertificate(pki.certificate())
+        .setSecurityPolicy(SecurityPolicy.None)
+        .setSecurityMode(MessageSecurityMode.None)
+        .addTokenPolicies(tokens().toArray(UserTokenPolicy[]::new));
+  }
+
+  private List<UserTokenPolicy> tokens() {
+    List<UserTokenPolicy> tokens = new ArrayList<>();
+    if (settings.anonymous()) {
+      tokens.add(USER_TOKEN_POLICY_ANONYMOUS);
+    }
+    if (users.hasPasswords()) {
+      tokens.add(token("username", UserTokenType.UserName));
+    }
+    if (users.hasCertificates()) {
+      tokens.add(token("certificate", UserTokenType.Certificate));
+    }
+    return tokens;
+  }
+
+  /** Returns a way to log in that is encrypted even where the connection is not. */
+  private static UserTokenPolicy token(String id, UserTokenType type) {
+    return new UserTokenPolicy(id, type, null, null, SecurityPolicy.Basic256Sha256.getUri());
+  }
+
+  private final class Sessions implements SessionListener {
+    @Override
+    public void onSessionCreated(Session session) {
+      sessions.inc();
+      LOG.info("OPC UA: session {} from {}", session.getSessionName(), session.getClientAddress());
+    }
+
+    @Override
+    public void onSessionClosed(Session session) {
+      sessions.dec();
+      LOG.info("OPC UA: session {} has ended", session.getSessionName());
+    }
+  }
+
+  /** Returns the port that it listens on. */
+  int port() {
+    return port;
+  }
+
+  /** Returns the number of nodes of robots. */
+  int nodes() {
+    return namespace.size();
+  }
+
+  @Override
+  public void added(RobotFeed robot) {
+    robots.put(robot.name(), new RobotNodes(namespace, robot, context));
+  }
+
+  @Override
+  public void updated(RobotFeed robot, List<Update> updates) {
+    RobotNodes nodes = robots.get(robot.name());
+    if (nodes != null) {
+      updates.forEach(nodes::put);
+    }
+  }
+
+  @Override
+  public void removed(RobotFeed robot) {
+    RobotNodes nodes = robots.remove(robot.name());
+    if (nodes != null) {
+      nodes.remove();
+    }
+    writes.removed(robot.name());
+  }
+
+  @Override
+  public void close() {
+    writes.close();
+    server.shutdown().join();
+    namespace.shutdown();
+    types.shutdown();
+    executor.shutdown();
+    sessions.set(0);
+    try {
+      pki.close();
+    } catch (IOException e) {
+      LOG.warn("OPC UA: {}", e.getMessage());
+    }
+    LOG.info("OPC UA: opc.tcp://{}:{} has ended", settings.host(), port);
+  }
+}

@@ -1,0 +1,151 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import io.prometheus.metrics.core.metrics.Counter;
+import java.io.IOException;
+import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.CrossComConnectException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComTimeoutException;
+import no.hials.crosscom.cell.feed.RefusedWriteException;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.eclipse.milo.opcua.stack.core.StatusCodes;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Writes for clients, on a thread for each robot that is written to, one value at a time. A write
+ * is never repeated.
+ */
+final class RobotWrites {
+  private static final Logger LOG = LoggerFactory.getLogger(RobotWrites.class);
+
+  /** More writes than that are refused while a robot is slow. */
+  private static final int MAX_WAITING = 16;
+
+  private static final long IDLE_SECONDS = 10;
+
+  private final GatewayContext context;
+  private final Counter results;
+  private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
+  private volatile boolean closed;
+
+  RobotWrites(GatewayContext context) {
+    this.context = context;
+    results =
+        context
+            .health()
+            .counter("opcua_writes", "Writes of OPC UA clients by their results", "result");
+  }
+
+  /** Writes a value, waits for the result, and returns its status. */
+  long write(User user, ValueNode node, @Nullable Object value) {
+    String robot = node.access().robot();
+    String variable = node.access().variable();
+    KrlValue now = node.krlValue();
+    if (now == null) {
+      // its type is unknown
+      return StatusCodes.Bad_WaitingForInitialData;
+    }
+    String text;
+    try {
+      text = UaValues.toKrl(value, now);
+    } catch (IllegalArgumentException e) {
+      LOG.warn("OPC UA: {} of {}: {}", variable, robot, e.getMessage());
+      return StatusCodes.Bad_OutOfRange;
+    }
+    if (text == null) {
+      return StatusCodes.Bad_TypeMismatch;
+    }
+    try {
+      Future<Long> result =
+          threads
+              .computeIfAbsent(robot, RobotWrites::thread)
+              .submit(() -> write("opcua:" + user.name(), robot, variable, text));
+      return result.get();
+    } catch (RejectedExecutionException e) {
+      return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_TooManyOperations;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return StatusCodes.Bad_Timeout;
+    } catch (ExecutionException e) {
+      LOG.warn("OPC UA: {} of {}", variable, robot, e.getCause());
+      return StatusCodes.Bad_InternalError;
+    }
+  }
+
+  private static ThreadPoolExecutor thread(String robot) {
+    ThreadPoolExecutor executor =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            IDLE_SECONDS,
+            TimeUnit.SECONDS,
+            new ArrayBlockingQueue<>(MAX_WAITING),
+            task -> {
+              Thread thread = new Thread(task, "opcua-write-" + robot);
+              thread.setDaemon(true);
+              return thread;
+            });
+    executor.allowCoreThreadTimeOut(true);
+    return executor;
+  }
+
+  private long write(String who, String robotName, String variable, String text) {
+    RobotFeed robot = context.robot(robotName);
+    if (closed || robot == null) {
+      return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_NodeIdUnknown;
+    }
+    try {
+      context.writes().write(who, context.plant(), robot, variable, text);
+      results.labelValues("done").inc();
+      return StatusCodes.Good;
+    } catch (IOException | IllegalArgumentException e) {
+      boolean unknown = e instanceof CrossComException failure && failure.isOutcomeUnknown();
+      results
+          .labelValues(
+              unknown ? "unknown" : e instanceof RefusedWriteException ? "refused" : "failed")
+          .inc();
+      LOG.warn("OPC UA: {} wrote {} = {}: {}", who, variable, text, e.getMessage());
+      return status(e, unknown);
+    }
+  }
+
+  /** Returns the status of a failure: docs/reference/opcua.md#writing. */
+  private static long status(Exception e, boolean unknown) {
+    if (unknown) {
+      return e instanceof CrossComTimeoutException
+          ? StatusCodes.Bad_Timeout
+          : StatusCodes.Bad_CommunicationError;
+    }
+    if (e instanceof RefusedWriteException || e instanceof IllegalArgumentException) {
+      return StatusCodes.Bad_OutOfRange;
+    }
+    return e instanceof CrossComConnectException
+        ? StatusCodes.Bad_NoCommunication
+        : StatusCodes.Bad_DeviceFailure;
+  }
+
+  /** Ends the thread of a robot that is there no more; a write that was begun ends first. */
+  void removed(String robot) {
+    ThreadPoolExecutor executor = threads.remove(robot);
+    if (executor != null) {
+      executor.shutdown();
+    }
+  }
+
+  /** Refuses all writes from now on. */
+  void close() {
+    closed = true;
+    threads.keySet().forEach(this::removed);
+  }
+}

@@ -1,0 +1,174 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.eclipse.milo.opcua.sdk.core.Reference;
+import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
+import org.eclipse.milo.opcua.sdk.server.Session;
+import org.eclipse.milo.opcua.sdk.server.items.DataItem;
+import org.eclipse.milo.opcua.sdk.server.nodes.UaNode;
+import org.eclipse.milo.opcua.stack.core.AttributeId;
+import org.eclipse.milo.opcua.stack.core.StatusCodes;
+import org.eclipse.milo.opcua.stack.core.encoding.EncodingContext;
+import org.eclipse.milo.opcua.stack.core.types.builtin.DataValue;
+import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
+import org.eclipse.milo.opcua.stack.core.types.builtin.QualifiedName;
+import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
+import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UInteger;
+import org.eclipse.milo.opcua.stack.core.types.structured.ReadValueId;
+import org.eclipse.milo.opcua.stack.core.types.structured.WriteValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The nodes of all robots. It knows what clients watch by the ids of nodes, so that the nodes of a
+ * robot that is removed and added again are watched again.
+ */
+final class RobotsNamespace extends StaticNamespace {
+  static final String URI = "urn:jopenshowvar:gateway:robots";
+  private static final UInteger VALUE = AttributeId.Value.uid();
+  private static final UInteger MAX_QUEUE = UInteger.valueOf(1000);
+
+  private final CompanionTypes types;
+  private final RobotWrites writes;
+  private final Map<NodeId, Set<DataItem>> items = new ConcurrentHashMap<>();
+
+  RobotsNamespace(OpcUaServer server, CompanionTypes types, RobotWrites writes) {
+    super(server, URI);
+    this.types = types;
+    this.writes = writes;
+  }
+
+  CompanionTypes types() {
+    return types;
+  }
+
+  NodeId id(String text) {
+    return newNodeId(text);
+  }
+
+  QualifiedName name(String text) {
+    return newQualifiedName(text);
+  }
+
+  EncodingContext encoding() {
+    return getServer().getStaticEncodingContext();
+  }
+
+  @Nullable UaNode node(NodeId id) {
+    return getNodeManager().getNode(id).orElse(null);
+  }
+
+  /** Returns the number of nodes. */
+  int size() {
+    return getNodeManager().getNodeIds().size();
+  }
+
+  void add(UaNode node) {
+    getNodeManager().addNode(node);
+    if (node instanceof ValueNode value) {
+      items.getOrDefault(node.getNodeId(), Set.of()).forEach(value::watch);
+    }
+  }
+
+  /** Removes a node and its references; clients that watch it are told. */
+  void remove(UaNode node) {
+    for (Reference reference : node.getReferences()) {
+      getNodeManager().removeReferences(reference, getServer().getNamespaceTable());
+    }
+    getNodeManager().removeNode(node.getNodeId());
+    getNodeManager().getReferenceMap().remove(node.getNodeId());
+    if (node instanceof ValueNode value) {
+      for (DataItem item : items.getOrDefault(node.getNodeId(), Set.of())) {
+        value.forget(item);
+        item.setValue(new DataValue(StatusCodes.Bad_NodeIdUnknown));
+      }
+    }
+  }
+
+  @Override
+  public RevisedDataItemParameters onCreateDataItem(
+      ReadValueId what, Double samplingInterval, UInteger queueSize) {
+    return revised(queueSize);
+  }
+
+  @Override
+  public RevisedDataItemParameters onModifyDataItem(
+      ReadValueId what, Double samplingInterval, UInteger queueSize) {
+    return revised(queueSize);
+  }
+
+  /** Returns an interval of 0: an item gets each value that the plan reads. */
+  private static RevisedDataItemParameters revised(UInteger queueSize) {
+    return new RevisedDataItemParameters(
+        0.0, queueSize.compareTo(MAX_QUEUE) > 0 ? MAX_QUEUE : queueSize);
+  }
+
+  @Override
+  public void onDataItemsCreated(List<DataItem> created) {
+    List<DataItem> others = new ArrayList<>();
+    for (DataItem item : created) {
+      ReadValueId what = item.getReadValueId();
+      if (what.getAttributeId().equals(VALUE) && isWhole(what.getIndexRange())) {
+        items.computeIfAbsent(what.getNodeId(), it -> ConcurrentHashMap.newKeySet()).add(item);
+        if (node(what.getNodeId()) instanceof ValueNode node) {
+          node.watch(item);
+          continue;
+        }
+      }
+      others.add(item);
+    }
+    super.onDataItemsCreated(others);
+  }
+
+  private static boolean isWhole(@Nullable String indexRange) {
+    return indexRange == null || indexRange.isEmpty();
+  }
+
+  @Override
+  public void onDataItemsDeleted(List<DataItem> deleted) {
+    for (DataItem item : deleted) {
+      NodeId id = item.getReadValueId().getNodeId();
+      items.computeIfPresent(
+          id,
+          (key, its) -> {
+            its.remove(item);
+            return its.isEmpty() ? null : its;
+          });
+      if (node(id) instanceof ValueNode node) {
+        node.forget(item);
+      }
+    }
+  }
+
+  @Override
+  public List<StatusCode> write(WriteContext context, List<WriteValue> values) {
+    List<StatusCode> results = new ArrayList<>();
+    for (WriteValue value : values) {
+      results.add(new StatusCode(write(context.getSession().orElse(null), value)));
+    }
+    return results;
+  }
+
+  private long write(@Nullable Session session, WriteValue write) {
+    UaNode node = node(write.getNodeId());
+    if (node == null) {
+      return StatusCodes.Bad_NodeIdUnknown;
+    }
+    if (!write.getAttributeId().equals(VALUE)
+        || !(node instanceof ValueNode variable)
+        || !variable.isWritable()) {
+      return StatusCodes.Bad_NotWritable;
+    }
+    User user = session == null ? User.ANONYMOUS : Users.of(session);
+    if (user.role() != User.Role.OPERATOR) {
+      return StatusCodes.Bad_UserAccessDenied;
+    }
+    if (!isWhole(write.getIndexRange())) {
+      return StatusCodes.Bad_WriteNotSupported;
+    }
+    return writes.write(user, variable, write.getValue().value().value());
+  }
+}

@@ -55,6 +55,11 @@ abstract class BrokerTest {
         [robots.cell1]
         host = "%s:%d"
         timeout = "1s"
+
+        [limits]
+        access-time = "1ms"
+        load = 100
+
         """
             .formatted(robot.host(), robot.port());
     TomlTable root = TomlTable.parse(folder.resolve("plant.toml"), robots + text);

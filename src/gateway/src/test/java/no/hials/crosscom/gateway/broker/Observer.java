@@ -54,6 +54,7 @@ final class Observer implements AutoCloseable {
         .subscribeWith()
         .topicFilter(filter)
         .qos(MqttQos.AT_LEAST_ONCE)
+        .retainAsPublished(true)
         .callback(this::add)
         .send()
         .orTimeout(20, TimeUnit.SECONDS)

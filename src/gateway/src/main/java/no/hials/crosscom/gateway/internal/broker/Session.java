@@ -18,6 +18,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.Supplier;
 import no.hials.crosscom.gateway.Health;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -68,14 +69,16 @@ public final class Session implements AutoCloseable {
   /** A message on its way. */
   private static final class Outgoing {
     /** Goes to the store if the broker does not confirm the message; null to forget it. */
-    private final @Nullable StoredMessage spare;
+    private final @Nullable Supplier<StoredMessage> spare;
 
-    private final boolean fromStore;
+    /** The message of the store that it is; null if it is new. */
+    private final @Nullable StoredMessage stored;
+
     private boolean done;
 
-    Outgoing(@Nullable StoredMessage spare, boolean fromStore) {
+    Outgoing(@Nullable Supplier<StoredMessage> spare, @Nullable StoredMessage stored) {
       this.spare = spare;
-      this.fromStore = fromStore;
+      this.stored = stored;
     }
   }
 
@@ -119,29 +122,44 @@ public final class Session implements AutoCloseable {
   /**
    * Publishes a message; for the thread of the session.
    *
-   * @param spare what to store if the broker does not get the message; null to forget it
+   * @param spare returns what to store if the broker does not get the message; null to forget it
    * @return whether it is on its way, and not only stored
    */
-  public boolean publish(Publication message, @Nullable StoredMessage spare) {
-    if (connected && (spare == null || inFlight.size() < MAX_IN_FLIGHT)) {
-      send(message, new Outgoing(spare, false));
+  public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
+    if (hasRoom() || (connected && spare == null)) {
+      send(message, new Outgoing(spare, null));
       return true;
     }
     if (spare != null) {
-      store().add(spare);
+      store(spare.get());
     }
     return false;
   }
 
+  /** Returns whether a message can be sent now; for the thread of the session. */
+  public boolean hasRoom() {
+    return connected && inFlight.size() < MAX_IN_FLIGHT;
+  }
+
+  /** Stores a message, to be forwarded later; for the thread of the session. */
+  public void store(StoredMessage message) {
+    store().add(message);
+  }
+
+  /** Returns whether stored messages are forwarded now; for the thread of the session. */
+  public boolean isForwarding() {
+    return forwarding;
+  }
+
   /** Publishes a stored message; for {@link Traffic#forward}. */
   public void publishStored(Publication message, StoredMessage stored) {
-    send(message, new Outgoing(stored, true));
+    send(message, new Outgoing(null, stored));
   }
 
   /** Forgets a stored message that can no more be published, which is counted. */
   public void dropStored(StoredMessage stored) {
     figures.dropped("unknown", 1);
-    Outgoing one = new Outgoing(stored, true);
+    Outgoing one = new Outgoing(null, stored);
     one.done = true;
     inFlight.add(one);
     confirm();
@@ -203,8 +221,8 @@ public final class Session implements AutoCloseable {
   private void confirm() {
     for (Outgoing first = inFlight.peek(); first != null && first.done; first = inFlight.peek()) {
       inFlight.remove();
-      if (first.fromStore && first.spare != null) {
-        store().confirm(first.spare);
+      if (first.stored != null) {
+        store().confirm(first.stored);
       }
     }
   }
@@ -283,7 +301,12 @@ public final class Session implements AutoCloseable {
         break;
       }
       busy = true;
-      traffic().forward(next);
+      try {
+        traffic().forward(next);
+      } catch (IllegalArgumentException e) {
+        LOG.warn("MQTT {}: a stored message cannot be published: {}", name, e.getMessage());
+        dropStored(next);
+      }
     }
     if (connected && forwarding && store().isEmpty()) {
       forwarding = false;
@@ -400,8 +423,8 @@ public final class Session implements AutoCloseable {
   private void keep() {
     store().rewind();
     for (Outgoing one : inFlight) {
-      if (!one.done && !one.fromStore && one.spare != null) {
-        store().add(one.spare);
+      if (!one.done && one.spare != null) {
+        store().add(one.spare.get());
       }
     }
     inFlight.clear();

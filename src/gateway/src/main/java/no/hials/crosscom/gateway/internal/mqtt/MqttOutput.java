@@ -10,6 +10,8 @@ import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
 import no.hials.crosscom.gateway.internal.broker.Commands;
 import no.hials.crosscom.gateway.internal.broker.Session;
+import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
+import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -22,6 +24,10 @@ final class MqttOutput implements Output {
 
   private final PlainTraffic traffic;
   private final @Nullable Commands commands;
+  private final @Nullable Sparkplug sparkplug;
+
+  /** The connection for Sparkplug, since a connection has only one will. */
+  private record Sparkplug(Session session, SparkplugTraffic traffic) {}
 
   MqttOutput(MqttSettings settings, GatewayContext context) {
     BrokerSettings broker = settings.broker();
@@ -34,6 +40,18 @@ final class MqttOutput implements Output {
     traffic = plainTraffic(settings, context, commands);
     LOG.info("MQTT: publishes to {}, topics {}/#", broker.url(), settings.topic());
     session.start(traffic);
+    SparkplugId id = settings.sparkplug();
+    if (id == null) {
+      sparkplug = null;
+    } else {
+      BrokerSettings own = broker.withClientId(broker.clientId() + "-sparkplug");
+      Session second = new Session(own, "sparkplug", folder.resolve("sparkplug"), context.health());
+      sparkplug =
+          new Sparkplug(
+              second, new SparkplugTraffic(id, second, folder.resolve("bdseq"), commands));
+      LOG.info("MQTT: publishes as the Sparkplug node {}/{}", id.group(), id.node());
+      second.start(sparkplug.traffic);
+    }
   }
 
   private PlainTraffic plainTraffic(
@@ -50,16 +68,25 @@ final class MqttOutput implements Output {
   @Override
   public void added(RobotFeed robot) {
     session.submit(0, () -> traffic.added(robot));
+    if (sparkplug != null) {
+      sparkplug.session.submit(0, () -> sparkplug.traffic.added(robot));
+    }
   }
 
   @Override
   public void updated(RobotFeed robot, List<Update> updates) {
     session.submit(updates.size(), () -> traffic.updated(robot, updates));
+    if (sparkplug != null) {
+      sparkplug.session.submit(updates.size(), () -> sparkplug.traffic.updated(robot, updates));
+    }
   }
 
   @Override
   public void removed(RobotFeed robot) {
     session.submit(0, () -> traffic.removed(robot));
+    if (sparkplug != null) {
+      sparkplug.session.submit(0, () -> sparkplug.traffic.removed(robot));
+    }
   }
 
   @Override
@@ -68,5 +95,8 @@ final class MqttOutput implements Output {
       commands.close();
     }
     session.close();
+    if (sparkplug != null) {
+      sparkplug.session.close();
+    }
   }
 }

@@ -125,7 +125,7 @@ final class PlainTraffic implements Traffic {
       messages.put(topic, payload);
       boolean live =
           session.publish(
-              new Publication(topic, payload, qos, true), new StoredMessage(topic, payload));
+              new Publication(topic, payload, qos, true), () -> new StoredMessage(topic, payload));
       if (live) {
         behind.remove(topic);
       } else if (session.isConnected()) {

@@ -1,0 +1,146 @@
+package no.hials.crosscom.gateway.internal.sparkplug;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.LongSupplier;
+import no.hials.crosscom.cell.Leaf;
+import no.hials.crosscom.cell.Units;
+import no.hials.crosscom.cell.feed.PlannedVariable;
+import no.hials.crosscom.cell.feed.Quality;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.eclipse.tahu.message.model.Metric;
+import org.eclipse.tahu.message.model.MetricDataType;
+import org.jspecify.annotations.Nullable;
+
+/** A robot as a device of Sparkplug. Not thread-safe. */
+final class Device {
+  private static final Units UNITS = new Units();
+
+  private final RobotFeed robot;
+  private final LongSupplier aliases;
+  private final Map<String, DeviceMetric> metrics = new LinkedHashMap<>();
+
+  /** The variables that were read, or refused, since the robot is connected. */
+  private final Set<String> known = new HashSet<>();
+
+  private boolean born;
+  private boolean changed;
+
+  /**
+   * Creates a device.
+   *
+   * @param aliases returns an alias that the node does not use yet
+   */
+  Device(RobotFeed robot, LongSupplier aliases) {
+    this.robot = robot;
+    this.aliases = aliases;
+  }
+
+  RobotFeed robot() {
+    return robot;
+  }
+
+  String name() {
+    return robot.name();
+  }
+
+  /** Returns whether its birth was published, and its death was not. */
+  boolean isBorn() {
+    return born;
+  }
+
+  /** Returns whether its birth must be published, since all its variables are known. */
+  boolean isReady() {
+    return robot.isConnected() && known.containsAll(robot.plan().variables().keySet());
+  }
+
+  /** Returns whether its metrics are others than those of its birth. */
+  boolean isChanged() {
+    return changed;
+  }
+
+  /** Takes updates, and returns the metrics with a new value or quality. */
+  List<DeviceMetric> take(List<Update> updates) {
+    List<DeviceMetric> touched = new ArrayList<>();
+    for (Update update : updates) {
+      PlannedVariable variable = update.variable();
+      KrlValue value = update.value();
+      if (update.quality() == Quality.GOOD && value != null) {
+        known.add(variable.key());
+        for (Leaf leaf : Leaf.of(variable.key(), value)) {
+          DeviceMetric metric = metric(leaf, variable);
+          changed |= metric.take(leaf, update.time());
+          touched.add(metric);
+        }
+      } else {
+        if (update.quality() == Quality.BAD) {
+          known.add(variable.key());
+        }
+        for (DeviceMetric metric : metrics.values()) {
+          if (metric.isOf(variable.key())) {
+            metric.without(update.quality(), update.time());
+            touched.add(metric);
+          }
+        }
+      }
+    }
+    return touched;
+  }
+
+  private DeviceMetric metric(Leaf leaf, PlannedVariable variable) {
+    return metrics.computeIfAbsent(
+        leaf.name(),
+        name -> {
+          changed = true;
+          return new DeviceMetric(
+              name,
+              variable.key(),
+              aliases.getAsLong(),
+              variable.unit(UNITS, name),
+              DeviceMetric.type(leaf.value()));
+        });
+  }
+
+  /** Returns a metric that a stored message has, for the next birth if it is not known yet. */
+  DeviceMetric fromStore(String name, MetricDataType type) {
+    return metrics.computeIfAbsent(
+        name,
+        it -> {
+          changed = true;
+          return new DeviceMetric(it, "", aliases.getAsLong(), "", type);
+        });
+  }
+
+  /** Returns the metric of an alias, or of a name in any case; null if there is none. */
+  @Nullable DeviceMetric find(@Nullable Long alias, @Nullable String name) {
+    for (DeviceMetric metric : metrics.values()) {
+      if (alias == null ? metric.name().equalsIgnoreCase(name) : metric.alias() == alias) {
+        return metric;
+      }
+    }
+    return null;
+  }
+
+  /** Returns the metrics of a birth, which is published now. */
+  List<Metric> birth() {
+    born = true;
+    changed = false;
+    return metrics.values().stream().map(DeviceMetric::birth).toList();
+  }
+
+  /** Notes that it has no valid birth now. */
+  void unborn() {
+    born = false;
+  }
+
+  /** Notes that the robot is lost: its variables must be read again before the next birth. */
+  void lost() {
+    known.clear();
+  }
+}

@@ -1,0 +1,290 @@
+package no.hials.crosscom.gateway.internal.sparkplug;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.gateway.internal.broker.Commands;
+import no.hials.crosscom.gateway.internal.broker.Publication;
+import no.hials.crosscom.gateway.internal.broker.Received;
+import no.hials.crosscom.gateway.internal.broker.Session;
+import no.hials.crosscom.gateway.internal.broker.StoredMessage;
+import no.hials.crosscom.gateway.internal.broker.Traffic;
+import org.eclipse.tahu.message.model.Metric;
+import org.eclipse.tahu.message.model.MetricDataType;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Publishes robots as devices of an edge node of Sparkplug B. Stored values are sent as historical
+ * ones after the births. Used by the thread of the session.
+ *
+ * <p>As the standard demands, all its messages have quality of service 0 and are not retained; the
+ * will has 1.
+ */
+public final class SparkplugTraffic implements Traffic {
+  private static final Logger LOG = LoggerFactory.getLogger(SparkplugTraffic.class);
+  private static final String REBIRTH = "Node Control/Rebirth";
+  private static final int NUMBERS = 256;
+  private static final int LARGEST_COMMAND = 10_000;
+
+  private final SparkplugId id;
+  private final Session session;
+  private final @Nullable Commands commands;
+  private final BirthNumber connection;
+  private final Map<String, Device> devices = new LinkedHashMap<>();
+  private long lastAlias;
+  private int seq;
+
+  /**
+   * Creates the traffic.
+   *
+   * @param file keeps the number of the last connection
+   * @param commands executes commands; null if there are none
+   */
+  public SparkplugTraffic(SparkplugId id, Session session, Path file, @Nullable Commands commands) {
+    this.id = id;
+    this.session = session;
+    this.commands = commands;
+    this.connection = new BirthNumber(file);
+  }
+
+  @Override
+  public Publication will() {
+    connection.next();
+    return new Publication(id.topic("NDEATH"), Payloads.encode(null, List.of(bdSeq())), 1, false);
+  }
+
+  private Metric bdSeq() {
+    return Payloads.metric(
+        new Metric.MetricBuilder("bdSeq", MetricDataType.Int64, (long) connection.current()));
+  }
+
+  @Override
+  public List<Subscription> subscriptions() {
+    List<Subscription> all = new ArrayList<>();
+    all.add(new Subscription(id.topic("NCMD"), 1, this::nodeCommand));
+    if (commands != null) {
+      // quality 0, so that none is received twice
+      all.add(new Subscription(id.topic("DCMD") + "/+", 0, this::deviceCommand));
+    }
+    return all;
+  }
+
+  @Override
+  public void connected() {
+    seq = 0;
+    publish(
+        "NBIRTH",
+        "",
+        List.of(
+            bdSeq(),
+            Payloads.metric(new Metric.MetricBuilder(REBIRTH, MetricDataType.Boolean, false))));
+    for (Device device : devices.values()) {
+      device.unborn();
+      if (device.isReady()) {
+        birth(device);
+      }
+    }
+  }
+
+  private void publish(String type, String device, List<Metric> metrics) {
+    boolean unused = session.publish(message(type, device, metrics), null);
+  }
+
+  private Publication message(String type, String device, List<Metric> metrics) {
+    String topic = id.topic(type) + (device.isEmpty() ? "" : "/" + device);
+    byte[] payload = Payloads.encode(seq, metrics);
+    seq = (seq + 1) % NUMBERS;
+    return new Publication(topic, payload, 0, false);
+  }
+
+  private void birth(Device device) {
+    publish("DBIRTH", device.name(), device.birth());
+  }
+
+  private void death(Device device) {
+    if (session.isConnected() && device.isBorn()) {
+      publish("DDEATH", device.name(), List.of());
+    }
+    device.unborn();
+  }
+
+  /** Takes a robot. */
+  public void added(RobotFeed robot) {
+    devices.put(robot.name(), new Device(robot, () -> ++lastAlias));
+  }
+
+  /** Forgets a robot. */
+  public void removed(RobotFeed robot) {
+    Device device = devices.remove(robot.name());
+    if (device != null) {
+      death(device);
+    }
+  }
+
+  /** Publishes or stores what a robot has. */
+  public void updated(RobotFeed robot, List<Update> updates) {
+    Device device = devices.get(robot.name());
+    if (device == null) {
+      return;
+    }
+    List<DeviceMetric> touched = device.take(updates);
+    if (!session.isConnected()) {
+      store(device, touched);
+    } else if (robot.isConnected()) {
+      if (device.isBorn() ? device.isChanged() : device.isReady()) {
+        birth(device);
+      } else if (device.isBorn() && !touched.isEmpty()) {
+        data(device, touched);
+      }
+    }
+    if (!robot.isConnected()) {
+      device.lost();
+      death(device);
+    }
+  }
+
+  private void data(Device device, List<DeviceMetric> touched) {
+    if (session.hasRoom()) {
+      // what is sent now is what would be stored, but the metrics change meanwhile
+      List<Metric> spare = touched.stream().map(DeviceMetric::stored).toList();
+      boolean unused =
+          session.publish(
+              message("DDATA", device.name(), touched.stream().map(DeviceMetric::data).toList()),
+              () -> stored(device, spare));
+    } else {
+      store(device, touched);
+    }
+  }
+
+  private void store(Device device, List<DeviceMetric> touched) {
+    if (!touched.isEmpty()) {
+      session.store(stored(device, touched.stream().map(DeviceMetric::stored).toList()));
+    }
+  }
+
+  private static StoredMessage stored(Device device, List<Metric> metrics) {
+    return new StoredMessage(device.name(), Payloads.encode(null, metrics));
+  }
+
+  @Override
+  public void tick() {
+    for (Device device : devices.values()) {
+      if (!device.robot().isConnected() && device.isBorn() && !session.isForwarding()) {
+        device.lost();
+        death(device);
+      }
+    }
+  }
+
+  @Override
+  public void forward(StoredMessage message) {
+    Device device = devices.get(message.topic());
+    List<Metric> metrics = new ArrayList<>();
+    if (device != null) {
+      for (Metric old : Payloads.decode(message.payload())) {
+        DeviceMetric known = device.fromStore(old.getName(), old.getDataType());
+        if (known.type().equals(old.getDataType())) {
+          metrics.add(
+              Payloads.metric(
+                  new Metric.MetricBuilder(
+                          Long.valueOf(known.alias()), old.getDataType(), old.getValue())
+                      .timestamp(old.getTimestamp())
+                      .isHistorical(true)
+                      .properties(old.getProperties())));
+        }
+      }
+    }
+    if (device == null || metrics.isEmpty()) {
+      session.dropStored(message);
+      return;
+    }
+    if (!device.isBorn() || device.isChanged()) {
+      birth(device);
+    }
+    session.publishStored(message("DDATA", device.name(), metrics), message);
+  }
+
+  @Override
+  public void forwarded() {
+    tick();
+  }
+
+  @Override
+  public void closing() {
+    if (session.isConnected()) {
+      boolean unused =
+          session.publish(
+              new Publication(
+                  id.topic("NDEATH"), Payloads.encode(null, List.of(bdSeq())), 0, false),
+              null);
+    }
+  }
+
+  private static List<Metric> metrics(Received message) {
+    try {
+      return message.payload().remaining() > LARGEST_COMMAND
+          ? List.of()
+          : Payloads.decode(message.payload());
+    } catch (IllegalArgumentException e) {
+      LOG.warn("{}: {}", message.topic(), e.getMessage());
+      return List.of();
+    }
+  }
+
+  private void nodeCommand(Received message) {
+    boolean rebirth =
+        !message.retained()
+            && metrics(message).stream()
+                .anyMatch(it -> REBIRTH.equals(it.getName()) && Boolean.TRUE.equals(it.getValue()));
+    if (rebirth) {
+      session.submit(
+          1,
+          () -> {
+            if (session.isConnected()) {
+              LOG.info("Sparkplug: births are published again on request");
+              connected();
+            }
+          });
+    }
+  }
+
+  private void deviceCommand(Received message) {
+    String robot = message.topic().substring(message.topic().lastIndexOf('/') + 1);
+    List<Metric> metrics = metrics(message);
+    session.submit(1, () -> execute(message, robot, metrics));
+  }
+
+  private void execute(Received message, String robot, List<Metric> metrics) {
+    Commands executor = commands;
+    if (executor == null) {
+      return;
+    }
+    String who = "mqtt:" + (message.sender().isEmpty() ? "unknown" : message.sender());
+    Device device = devices.get(robot);
+    for (Metric wish : metrics) {
+      DeviceMetric metric = device == null ? null : device.find(wish.getAlias(), wish.getName());
+      String name = metric == null ? String.valueOf(wish.getName()) : metric.name();
+      Object value = wish.getValue();
+      String refusal = null;
+      if (message.retained()) {
+        refusal = "a retained command is not executed: nobody knows how old it is";
+      } else if (metric == null) {
+        refusal = "the device has no such metric";
+      } else if (value == null) {
+        refusal = "a command needs a value";
+      }
+      if (refusal != null || value == null) {
+        String unused = executor.refused(who, robot, name, String.valueOf(refusal));
+      } else {
+        String text = value instanceof Boolean bool ? (bool ? "TRUE" : "FALSE") : value.toString();
+        executor.execute(who, robot, name, text, result -> {});
+      }
+    }
+  }
+}

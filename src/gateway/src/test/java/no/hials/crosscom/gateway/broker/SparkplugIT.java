@@ -1,0 +1,282 @@
+package no.hials.crosscom.gateway.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.hivemq.client.mqtt.datatypes.MqttQos;
+import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.function.Predicate;
+import no.hials.crosscom.gateway.Gateway;
+import org.eclipse.tahu.message.SparkplugBPayloadDecoder;
+import org.eclipse.tahu.message.SparkplugBPayloadEncoder;
+import org.eclipse.tahu.message.model.Metric;
+import org.eclipse.tahu.message.model.MetricDataType;
+import org.eclipse.tahu.message.model.SparkplugBPayload;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+class SparkplugIT extends BrokerTest {
+  private static final String NODE =
+      "sparkplug-group = \"hall1\"\nsparkplug-node = \"gateway1\"\nclient-id = \"gw\"\n";
+  private static final String READ =
+      """
+      [groups.all]
+      variables = ["$OV_PRO", "$POS_ACT", "$MODE_OP", "COUNTER"]
+      period = "20ms"
+      on-change = true
+
+      [variables."$OV_PRO"]
+      write = true
+      range = [0, 100]
+
+      """;
+  private static final String NBIRTH = "spBv1.0/hall1/NBIRTH/gateway1";
+  private static final String NDEATH = "spBv1.0/hall1/NDEATH/gateway1";
+  private static final String DBIRTH = "spBv1.0/hall1/DBIRTH/gateway1/cell1";
+  private static final String DDATA = "spBv1.0/hall1/DDATA/gateway1/cell1";
+  private static final String DDEATH = "spBv1.0/hall1/DDEATH/gateway1/cell1";
+
+  @BeforeEach
+  void declareCounter() {
+    robot.variables().declare("COUNTER", "INT", "0");
+  }
+
+  private static SparkplugBPayload decode(Mqtt5Publish message) {
+    try {
+      return new SparkplugBPayloadDecoder().buildFromByteArray(message.getPayloadAsBytes(), null);
+    } catch (Exception e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static Optional<Metric> metric(Mqtt5Publish message, String name) {
+    return decode(message).getMetrics().stream().filter(it -> name.equals(it.getName())).findAny();
+  }
+
+  private static Metric metricOf(Mqtt5Publish birth, String name) {
+    return metric(birth, name).orElseThrow();
+  }
+
+  private static boolean has(Mqtt5Publish message, long alias, Predicate<Metric> condition) {
+    return decode(message).getMetrics().stream()
+        .anyMatch(it -> Objects.equals(it.getAlias(), alias) && condition.test(it));
+  }
+
+  private static Mqtt5Publish last(Observer observer, String topic) {
+    List<Mqtt5Publish> all = observer.on(topic);
+    return all.get(all.size() - 1);
+  }
+
+  private static Mqtt5Publish awaitData(Observer observer, long alias, Predicate<Metric> condition)
+      throws InterruptedException {
+    Predicate<Mqtt5Publish> wanted =
+        it -> it.getTopic().toString().equals(DDATA) && has(it, alias, condition);
+    return observer.await(all -> all.stream().anyMatch(wanted)).stream()
+        .filter(wanted)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static byte[] encode(Metric metric) throws Exception {
+    return new SparkplugBPayloadEncoder()
+        .getBytes(
+            new SparkplugBPayload.SparkplugBPayloadBuilder().addMetric(metric).createPayload(),
+            false);
+  }
+
+  private static Mqtt5Publish command(String topic, Metric metric) throws Exception {
+    return Mqtt5Publish.builder()
+        .topic(topic)
+        .payload(encode(metric))
+        .qos(MqttQos.AT_LEAST_ONCE)
+        .build();
+  }
+
+  private static Object quality(Metric metric) {
+    return metric.getProperties().getPropertyMap().get("Quality").getValue();
+  }
+
+  @Test
+  void birthsComeFirstAndDataFollowsByAlias() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      start(READ + mqtt(broker, NODE));
+      Mqtt5Publish node = observer.await(NBIRTH, "");
+      Mqtt5Publish device = observer.await(DBIRTH, "");
+
+      assertThat(observer.all().subList(0, 2)).containsExactly(node, device);
+      assertThat(decode(node).getSeq()).isZero();
+      assertThat(metricOf(node, "bdSeq").getValue()).isEqualTo(0L);
+      assertThat(metricOf(node, "Node Control/Rebirth").getValue()).isEqualTo(false);
+      assertThat(metricOf(device, "$OV_PRO").getDataType()).isEqualTo(MetricDataType.Int32);
+      assertThat(metricOf(device, "$OV_PRO").getValue()).isEqualTo(100);
+      assertThat(metricOf(device, "$MODE_OP").getValue()).isEqualTo("#T1");
+      Metric x = metricOf(device, "$POS_ACT.X");
+      assertThat(x.getDataType()).isEqualTo(MetricDataType.Float);
+      assertThat(x.getProperties().getPropertyMap().get("engUnit").getValue()).isEqualTo("mm");
+      assertThat(quality(x)).isEqualTo(192);
+      assertThat(decode(device).getMetrics()).extracting(Metric::getAlias).doesNotHaveDuplicates();
+
+      robot.variables().set("$OV_PRO", "73");
+
+      long alias = metricOf(device, "$OV_PRO").getAlias();
+      Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(73));
+      assertThat(decode(data).getMetrics().get(0).getName()).isNull();
+      assertThat(data.isRetain()).isFalse();
+      assertThat(data.getQos()).isEqualTo(MqttQos.AT_MOST_ONCE);
+    }
+  }
+
+  @Test
+  void theSequenceRunsOverAllMessagesOfTheNode() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      start(READ.replace("on-change = true", "").replace("20ms", "10ms") + mqtt(broker, NODE));
+
+      List<Mqtt5Publish> all = observer.await(it -> it.size() > 600);
+
+      List<Long> expected = new ArrayList<>();
+      for (int i = 0; i < all.size(); i++) {
+        expected.add(i % 256L);
+      }
+      assertThat(all).extracting(it -> decode(it).getSeq()).isEqualTo(expected);
+    }
+  }
+
+  @Test
+  void aLostRobotDiesAndIsBornAgain() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      start(READ + mqtt(broker, NODE));
+      observer.await(DBIRTH, "");
+
+      robot.refuseConnections();
+      robot.disconnectClients();
+
+      observer.await(DDEATH, "");
+      assertThat(last(observer, DDEATH)).isEqualTo(observer.all().get(observer.all().size() - 1));
+      robot.variables().set("$OV_PRO", "42");
+      robot.acceptConnections();
+
+      observer.await(all -> observer.on(DBIRTH).size() == 2);
+      assertThat(metricOf(last(observer, DBIRTH), "$OV_PRO").getValue()).isEqualTo(42);
+    }
+  }
+
+  @Test
+  void theWillHasTheNumberOfItsBirthAndStoredValuesAreHistorical() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Cable cable = new Cable(broker.port());
+        Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      cable.connect();
+      Gateway reading =
+          start(READ + "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n" + NODE);
+      Mqtt5Publish birth = observer.await(DBIRTH, "");
+      Object number = metricOf(last(observer, NBIRTH), "bdSeq").getValue();
+
+      cable.cut();
+      Mqtt5Publish death = observer.await(NDEATH, "");
+      assertThat(metricOf(death, "bdSeq").getValue()).isEqualTo(number);
+      assertThat(decode(death).getSeq())
+          .satisfiesAnyOf(it -> assertThat(it).isNull(), it -> assertThat(it).isEqualTo(-1L));
+      await(() -> figure(reading, "mqtt_connected") == 0);
+      for (String value : List.of("1", "2", "3")) {
+        robot.variables().set("COUNTER", value);
+        await(
+            () ->
+                reading
+                    .robots()
+                    .get(0)
+                    .lastValue("COUNTER")
+                    .filter(it -> it.print().equals(value))
+                    .isPresent());
+      }
+      cable.connect();
+
+      observer.await(all -> observer.on(NBIRTH).size() == 2);
+      assertThat((long) metricOf(last(observer, NBIRTH), "bdSeq").getValue())
+          .isGreaterThan((long) number);
+      long alias = metricOf(birth, "COUNTER").getAlias();
+      for (int value : List.of(1, 2, 3)) {
+        Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(value));
+        assertThat(has(data, alias, it -> Boolean.TRUE.equals(it.isHistorical()))).isTrue();
+        assertThat(observer.all().indexOf(data))
+            .isGreaterThan(observer.all().indexOf(last(observer, DBIRTH)));
+      }
+    }
+  }
+
+  @Test
+  void anotherApplicationCanAskForTheBirths() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/+/+/gateway1/#")) {
+      start(READ + mqtt(broker, NODE));
+      observer.await(DBIRTH, "");
+      Object number = metricOf(last(observer, NBIRTH), "bdSeq").getValue();
+
+      observer.publish(
+          command(
+              "spBv1.0/hall1/NCMD/gateway1",
+              new Metric.MetricBuilder("Node Control/Rebirth", MetricDataType.Boolean, true)
+                  .createMetric()));
+
+      observer.await(all -> observer.on(DBIRTH).size() == 2);
+      assertThat(metricOf(last(observer, NBIRTH), "bdSeq").getValue()).isEqualTo(number);
+      assertThat(decode(last(observer, NBIRTH)).getSeq()).isZero();
+      assertThat(decode(last(observer, DBIRTH)).getSeq()).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void otherMetricsMakeAnotherBirthAndAMissingValueIsNull() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      robot.variables().remove("COUNTER");
+      start(READ + mqtt(broker, NODE));
+      Mqtt5Publish first = observer.await(DBIRTH, "");
+      assertThat(metric(first, "COUNTER")).isEmpty();
+
+      robot.variables().declare("COUNTER", "INT", "5");
+
+      observer.await(all -> observer.on(DBIRTH).size() == 2);
+      Metric counter = metricOf(last(observer, DBIRTH), "COUNTER");
+      assertThat(counter.getValue()).isEqualTo(5);
+
+      robot.variables().remove("COUNTER");
+
+      Mqtt5Publish data =
+          awaitData(observer, counter.getAlias(), it -> Boolean.TRUE.equals(it.getIsNull()));
+      assertThat(has(data, counter.getAlias(), it -> quality(it).equals(0))).isTrue();
+
+      robot.variables().declare("COUNTER", "BOOL", "TRUE");
+
+      observer.await(all -> observer.on(DBIRTH).size() == 3);
+      assertThat(metricOf(last(observer, DBIRTH), "COUNTER").getDataType())
+          .isEqualTo(MetricDataType.Boolean);
+    }
+  }
+
+  @Test
+  void aDeviceCommandWritesWhatIsAllowed() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      Gateway reading = start(READ + mqtt(broker, NODE, "commands = true"));
+      Mqtt5Publish birth = observer.await(DBIRTH, "");
+      String topic = "spBv1.0/hall1/DCMD/gateway1/cell1";
+      long alias = metricOf(birth, "$OV_PRO").getAlias();
+
+      observer.publish(
+          command(
+              topic, new Metric.MetricBuilder("COUNTER", MetricDataType.Int32, 7).createMetric()));
+      observer.publish(
+          command(topic, new Metric.MetricBuilder(alias, MetricDataType.Int32, 55).createMetric()));
+
+      awaitData(observer, alias, it -> it.getValue().equals(55));
+      assertThat(robot.variables().get("COUNTER")).contains("0");
+      assertThat(figure(reading, "mqtt_commands")).isEqualTo(2);
+    }
+  }
+}

@@ -52,14 +52,13 @@ abstract class BrokerTest {
   GatewayConfig config(String text) throws IOException {
     String robots =
         """
-        [robots.cell1]
-        host = "%s:%d"
-        timeout = "1s"
-
         [limits]
         access-time = "1ms"
         load = 100
 
+        [robots.cell1]
+        host = "%s:%d"
+        timeout = "1s"
         """
             .formatted(robot.host(), robot.port());
     TomlTable root = TomlTable.parse(folder.resolve("plant.toml"), robots + text);

@@ -29,6 +29,7 @@ public final class Commands implements AutoCloseable {
   private final GatewayContext context;
   private final Counter counter;
   private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
+  private volatile boolean closed;
 
   /** Creates an object that writes with the permissions of the gateway. */
   public Commands(GatewayContext context) {
@@ -53,6 +54,10 @@ public final class Commands implements AutoCloseable {
    */
   public void execute(
       String who, String robot, String variable, String value, Consumer<String> result) {
+    if (closed) {
+      result.accept(refused(who, robot, variable, "not executed: the gateway ends"));
+      return;
+    }
     RobotFeed feed = context.robot(robot);
     if (feed == null) {
       result.accept(refused(who, robot, variable, "no robot is named " + robot));
@@ -115,6 +120,7 @@ public final class Commands implements AutoCloseable {
    */
   @Override
   public void close() {
+    closed = true;
     threads
         .values()
         .forEach(

@@ -3,6 +3,7 @@ package no.hials.crosscom.gateway.internal.sparkplug;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
+import java.time.Instant;
 import java.util.Collection;
 import java.util.Date;
 import java.util.List;
@@ -25,7 +26,7 @@ final class Payloads {
   static byte[] encode(@Nullable Integer seq, Collection<Metric> metrics) {
     SparkplugBPayload.SparkplugBPayloadBuilder builder =
         new SparkplugBPayload.SparkplugBPayloadBuilder()
-            .setTimestamp(new Date())
+            .setTimestamp(Date.from(Instant.now()))
             .addMetrics(metrics);
     if (seq != null) {
       builder = builder.setSeq(seq.longValue());

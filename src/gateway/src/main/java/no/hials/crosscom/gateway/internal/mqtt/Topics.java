@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param prefix the first part
  */
 record Topics(String prefix) {
-  private static final String SET = "/set";
+  private static final String SET = "set";
 
   /** Returns a name as one level of a topic: characters with a meaning in topics are escaped. */
   private static String level(String name) {
@@ -37,7 +37,7 @@ record Topics(String prefix) {
 
   /** Returns the filter of all commands. */
   String commands() {
-    return prefix + "/+/+" + SET;
+    return prefix + "/+/+/" + SET;
   }
 
   /** Returns the topic of the result of a command. */
@@ -47,14 +47,13 @@ record Topics(String prefix) {
 
   /** Returns robot and variable of a command; null if it is none. */
   @Nullable List<String> target(String topic) {
-    if (!topic.startsWith(prefix + "/") || !topic.endsWith(SET)) {
+    if (!topic.startsWith(prefix + "/")) {
       return null;
     }
-    String[] levels =
-        topic.substring(prefix.length() + 1, topic.length() - SET.length()).split("/", -1);
+    String[] levels = topic.substring(prefix.length() + 1).split("/", -1);
     try {
       // a plus means itself here, since level() never leaves one
-      return levels.length == 2
+      return levels.length == 3 && levels[2].equals(SET)
           ? List.of(URLDecoder.decode(levels[0], UTF_8), URLDecoder.decode(levels[1], UTF_8))
           : null;
     } catch (IllegalArgumentException e) {

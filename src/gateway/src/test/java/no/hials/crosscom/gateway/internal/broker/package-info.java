@@ -1,0 +1,4 @@
+@NullMarked
+package no.hials.crosscom.gateway.internal.broker;
+
+import org.jspecify.annotations.NullMarked;

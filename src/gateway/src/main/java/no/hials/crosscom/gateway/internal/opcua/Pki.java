@@ -11,12 +11,14 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.KeyPair;
 import java.security.MessageDigest;
+import java.security.Security;
 import java.security.cert.X509Certificate;
 import java.time.Period;
 import java.util.Collections;
 import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.Set;
+import org.bouncycastle.jce.provider.BouncyCastleProvider;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
 import org.eclipse.milo.opcua.stack.core.security.CertificateManager;
 import org.eclipse.milo.opcua.stack.core.security.CertificateQuarantine;
@@ -57,6 +59,10 @@ record Pki(
 
   /** Opens a folder of certificates, and creates it and the own certificate if they are missing. */
   static Pki open(Path folder, String host) throws IOException {
+    if (Security.getProvider(BouncyCastleProvider.PROVIDER_NAME) == null) {
+      // Milo asks for RSA-PSS by a name that the JDK does not know
+      Security.addProvider(new BouncyCastleProvider());
+    }
     FileBasedTrustListManager trusted = null;
     try {
       Path own = Files.createDirectories(folder.resolve("own"));
@@ -65,8 +71,9 @@ record Pki(
       boolean first = Files.notExists(store);
       trusted = FileBasedTrustListManager.createAndInitialize(folder);
       CertificateQuarantine rejected =
-          FileBasedCertificateQuarantine.create(
-              Files.createDirectories(folder.resolve("rejected")));
+          new Rejected(
+              Files.createDirectories(folder.resolve("rejected")),
+              folder.resolve("trusted").resolve("certs"));
       DefaultApplicationGroup group =
           DefaultApplicationGroup.createAndInitialize(
               trusted,
@@ -112,6 +119,29 @@ record Pki(
     return HexFormat.ofDelimiter(":")
         .withUpperCase()
         .formatHex(MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded()));
+  }
+
+  /** Keeps the certificates of clients that are not trusted, and tells how to trust them. */
+  private static final class Rejected extends FileBasedCertificateQuarantine {
+    private final Path folder;
+    private final Path trusted;
+
+    Rejected(Path folder, Path trusted) {
+      super(folder.toFile());
+      this.folder = folder;
+      this.trusted = trusted;
+    }
+
+    @Override
+    public void addRejectedCertificate(X509Certificate certificate) {
+      super.addRejectedCertificate(certificate);
+      LOG.warn(
+          "OPC UA: rejected a client with the certificate {}; to trust it, move its file from {} to"
+              + " {}",
+          certificate.getSubjectX500Principal().getName(),
+          folder,
+          trusted);
+    }
   }
 
   /** Creates the certificate of the first start. */

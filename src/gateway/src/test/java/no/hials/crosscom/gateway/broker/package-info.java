@@ -1,4 +1,4 @@
-/** Tests of the MQTT output against Mosquitto: {@code mvn -Pplant verify}. */
+/** Tests against Mosquitto and the Python client asyncua: {@code mvn -Pplant verify}. */
 @NullMarked
 package no.hials.crosscom.gateway.broker;
 

@@ -67,7 +67,7 @@ public final class OpcUaKind implements OutputKind<OpcUaSettings> {
     try {
       return InetAddress.getByName(host).isLoopbackAddress();
     } catch (UnknownHostException e) {
-      throw table.error(ADDRESS, host + " is no address of this computer");
+      throw table.error(ADDRESS, host + " cannot be resolved to an address");
     }
   }
 

@@ -186,17 +186,22 @@ final class OpcUaOutput implements Output {
     return new UserTokenPolicy(id, type, null, null, SecurityPolicy.Basic256Sha256.getUri());
   }
 
+  private static String name(Session session) {
+    String name = session.getSessionName();
+    return name == null ? "" : Users.printable(name);
+  }
+
   private final class Sessions implements SessionListener {
     @Override
     public void onSessionCreated(Session session) {
       sessions.inc();
-      LOG.info("OPC UA: session {} from {}", session.getSessionName(), session.getClientAddress());
+      LOG.info("OPC UA: session {} from {}", name(session), session.getClientAddress());
     }
 
     @Override
     public void onSessionClosed(Session session) {
       sessions.dec();
-      LOG.info("OPC UA: session {} has ended", session.getSessionName());
+      LOG.info("OPC UA: session {} has ended", name(session));
     }
   }
 

@@ -138,7 +138,7 @@ record Pki(
       LOG.warn(
           "OPC UA: rejected a client with the certificate {}; to trust it, move its file from {} to"
               + " {}",
-          certificate.getSubjectX500Principal().getName(),
+          Users.printable(certificate.getSubjectX500Principal().getName()),
           folder,
           trusted);
     }

@@ -15,7 +15,7 @@ record User(String name, Role role, @Nullable Path passwordFile, @Nullable Path 
   /** The user of those who do not log in. */
   static final User ANONYMOUS = new User("anonymous", Role.VIEWER, null, null);
 
-  /** What a user may do. */
+  /** The rights of a user. */
   enum Role {
     /** Reads. */
     VIEWER,

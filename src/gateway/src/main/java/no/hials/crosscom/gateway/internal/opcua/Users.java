@@ -71,6 +71,11 @@ final class Users {
     }
   }
 
+  /** Returns a text of a client for a line of the log. */
+  static String printable(String text) {
+    return text.replaceAll("\\p{Cntrl}", "?");
+  }
+
   /** Returns the user of a session. */
   static User of(Session session) {
     Identity identity = session.getIdentity();
@@ -127,7 +132,7 @@ final class Users {
           return identity;
         }
       }
-      refuse(session, "user '" + name.replaceAll("\\p{Cntrl}", "?") + "'");
+      refuse(session, "user '" + printable(name) + "'");
       return null;
     }
   }
@@ -155,7 +160,9 @@ final class Users {
           return identity;
         }
       }
-      refuse(session, "the certificate of " + certificate.getSubjectX500Principal().getName());
+      refuse(
+          session,
+          "the certificate of " + printable(certificate.getSubjectX500Principal().getName()));
       return null;
     }
   }

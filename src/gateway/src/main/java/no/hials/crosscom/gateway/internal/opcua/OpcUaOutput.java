@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -205,14 +206,16 @@ final class OpcUaOutput implements Output {
     }
   }
 
-  /** Returns the port that it listens on. */
-  int port() {
-    return port;
-  }
-
   /** Returns the number of nodes of robots. */
   int nodes() {
-    return namespace.size();
+    return namespace.getNodeManager().getNodeIds().size();
+  }
+
+  /** Returns the number of references from and to them. */
+  int references() {
+    return namespace.getNodeManager().getReferenceMap().values().stream()
+        .mapToInt(Collection::size)
+        .sum();
   }
 
   @Override

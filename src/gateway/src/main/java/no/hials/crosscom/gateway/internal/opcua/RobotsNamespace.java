@@ -61,11 +61,6 @@ final class RobotsNamespace extends StaticNamespace {
     return getNodeManager().getNode(id).orElse(null);
   }
 
-  /** Returns the number of nodes. */
-  int size() {
-    return getNodeManager().getNodeIds().size();
-  }
-
   void add(UaNode node) {
     getNodeManager().addNode(node);
     if (node instanceof ValueNode value) {

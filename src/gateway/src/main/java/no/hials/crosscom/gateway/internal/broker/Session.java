@@ -1,5 +1,6 @@
 package no.hials.crosscom.gateway.internal.broker;
 
+import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
 import com.hivemq.client.mqtt.exceptions.MqttEncodeException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubRecException;
@@ -323,10 +324,7 @@ public final class Session implements AutoCloseable {
     Link[] self = new Link[1];
     try {
       Link next =
-          Link.create(
-              settings,
-              traffic().will(),
-              failure -> post(() -> lost(self[0], String.valueOf(failure.getMessage()))));
+          Link.create(settings, traffic().will(), failure -> post(() -> lost(self[0], failure)));
       self[0] = next;
       link = next;
       CompletableFuture<?> unused =
@@ -388,19 +386,21 @@ public final class Session implements AutoCloseable {
     traffic().connected();
   }
 
-  private void lost(@Nullable Link over, Throwable cause) {
-    lost(over, String.valueOf(cause.getMessage()));
-  }
-
-  private void lost(@Nullable Link over, String reason) {
+  private void lost(@Nullable Link over, Throwable failure) {
     if (over == null || over != link) {
       return;
     }
+    Throwable cause = failure.getCause();
+    String reason =
+        String.valueOf(
+            failure instanceof ConnectionFailedException && cause != null
+                ? cause.getMessage()
+                : failure.getMessage());
     boolean was = connected;
     connected = false;
     link = null;
     figures.connected.set(0);
-    CompletableFuture<?> unused = over.disconnect().exceptionally(failure -> null);
+    CompletableFuture<?> unused = over.disconnect().exceptionally(ended -> null);
     keep();
     if (was) {
       LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);

@@ -23,7 +23,7 @@ public interface OutputKind<S> {
   /**
    * Starts an output.
    *
-   * @throws IOException if it cannot start; being without the other system is no reason, unless it
+   * @throws IOException if it cannot start; an output starts without the other system, unless that
    *     is on this computer
    */
   Output open(S settings, GatewayContext context) throws IOException;

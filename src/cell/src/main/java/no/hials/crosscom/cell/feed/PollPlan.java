@@ -24,7 +24,7 @@ import no.hials.crosscom.protocol.ServerType;
  * @param accessTime the expected time of one access
  */
 public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Duration accessTime) {
-  /** The number of variables that C3 Bridge reads in one access (c3-messages.md, read multiple). */
+  /** The variables of one access of C3 Bridge (docs/reference/c3-messages.md, read multiple). */
   private static final int MAX_BATCH = 255;
 
   /** Keeps the order of the variables. */

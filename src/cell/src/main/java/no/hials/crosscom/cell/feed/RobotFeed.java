@@ -42,7 +42,7 @@ public final class RobotFeed implements Closeable {
   private volatile boolean connected;
   private volatile boolean closed;
 
-  /** What is known of a variable; guarded by the feed. */
+  /** The last reading of a variable; guarded by the feed. */
   private static final class Held {
     private final PlannedVariable variable;
     private final DeadBand deadBand;

@@ -3,7 +3,7 @@ package no.hials.crosscom.gateway.internal.broker;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** What is sent over a session. All methods but the receivers are called on its thread. */
+/** The messages of a session. All methods but the receivers are called on its thread. */
 public interface Traffic {
   /**
    * A subscription of a session.

@@ -38,7 +38,7 @@ final class TopicCommands {
         }
       };
 
-  /** What makes two messages one command. */
+  /** The identity of a command: two messages with the same one are one command. */
   private record Identity(String topic, ByteBuffer correlation) {}
 
   /**

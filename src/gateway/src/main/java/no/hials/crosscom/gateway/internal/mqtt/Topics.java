@@ -45,7 +45,7 @@ record Topics(String prefix) {
     return commandTopic + "/result";
   }
 
-  /** Returns robot and variable of a command; null if it is none. */
+  /** Returns robot and variable of a command; null for another topic. */
   @Nullable List<String> target(String topic) {
     if (!topic.startsWith(prefix + "/")) {
       return null;

@@ -41,7 +41,7 @@ final class Payloads {
   /**
    * Decodes metrics.
    *
-   * @throws IllegalArgumentException if the bytes are no payload
+   * @throws IllegalArgumentException if the bytes are not a payload
    */
   static List<Metric> decode(ByteBuffer payload) {
     byte[] bytes = new byte[payload.remaining()];

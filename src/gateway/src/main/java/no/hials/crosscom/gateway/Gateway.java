@@ -186,6 +186,8 @@ public final class Gateway implements AutoCloseable {
     RobotFeed feed = RobotFeed.open(plan, opener, this::passOn);
     robots.put(plan.robot().name(), feed);
     outputs.values().forEach(one -> one.call(output -> output.added(feed)));
+    // a robot that could not be reached has told so before the outputs knew it
+    feed.repeat();
     feed.start();
   }
 

@@ -1,0 +1,4 @@
+@NullMarked
+package no.hials.crosscom.cell.feed;
+
+import org.jspecify.annotations.NullMarked;

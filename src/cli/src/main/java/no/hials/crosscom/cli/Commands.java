@@ -9,6 +9,7 @@ import no.hials.crosscom.cli.bridge.FileCommand;
 import no.hials.crosscom.cli.bridge.InfoCommand;
 import no.hials.crosscom.cli.bridge.ProgramCommands;
 import no.hials.crosscom.cli.drive.DriveCommand;
+import no.hials.crosscom.cli.gateway.GatewayCommand;
 import no.hials.crosscom.cli.krl.KrlCommand;
 import no.hials.crosscom.cli.lab.BenchCommand;
 import no.hials.crosscom.cli.lab.ExperimentCommand;
@@ -36,6 +37,7 @@ enum Commands {
   VARIABLES("Variables:", "read", "write", "vars", "shell", "run"),
   PROGRAMS("Programs and files:", "info", "discover", "program", "file", "confirm"),
   CONTROL("Control:", "web", "drive"),
+  PLANT("Plant:", "gateway"),
   MEASURING("Measuring:", "watch", "record", "plot", "bench"),
   SIMULATION("Simulated controller:", "mock", "krl", "experiment"),
   HELP("Help:", "help");
@@ -65,6 +67,7 @@ enum Commands {
       case "bench" -> new BenchCommand();
       case "web" -> new WebCommand();
       case "drive" -> new DriveCommand();
+      case "gateway" -> GatewayCommand.commandLine();
       case "info" -> new InfoCommand();
       case "discover" -> new DiscoverCommand();
       case "program" -> ProgramCommands.commandLine();

@@ -1,7 +1,8 @@
 package no.hials.crosscom.gateway;
 
 import java.io.IOException;
-import java.io.PrintStream;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -51,9 +52,7 @@ public final class GatewayMain implements Callable<Integer> {
   private static final long CHANGE_CHECK_SECONDS = 1;
   private static final int MAX_MOCKS = 1000;
   private static final int WRONG_USAGE = 2;
-  private static final int FAILED = 1;
-
-  private final PrintStream out = System.out;
+  private static final int FAILED = 3;
 
   @Spec private CommandLine.Model.@Nullable CommandSpec spec;
 
@@ -119,12 +118,14 @@ public final class GatewayMain implements Callable<Integer> {
    * @param args the arguments
    */
   public static void main(String... args) {
-    System.exit(run(args));
+    PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    System.exit(run(out, err, args));
   }
 
   /** Runs the gateway until it is stopped, and returns the exit code. */
-  static int run(String... args) {
-    CommandLine line = new CommandLine(new GatewayMain());
+  static int run(PrintWriter out, PrintWriter err, String... args) {
+    CommandLine line = new CommandLine(new GatewayMain()).setOut(out).setErr(err);
     line.setExecutionExceptionHandler(
         (failure, command, result) -> {
           if (!(failure instanceof IOException)) {
@@ -132,7 +133,7 @@ public final class GatewayMain implements Callable<Integer> {
           }
           command.getErr().println("jopenshowvar: " + failure.getMessage());
           command.getErr().flush();
-          return FAILED;
+          return failure instanceof FileException ? WRONG_USAGE : FAILED;
         });
     line.setParameterExceptionHandler(
         (failure, arguments) -> {
@@ -206,6 +207,7 @@ public final class GatewayMain implements Callable<Integer> {
   }
 
   private void print(GatewayConfig config) {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     for (PollPlan plan : config.plant().plans()) {
       out.println(plan.text());
     }

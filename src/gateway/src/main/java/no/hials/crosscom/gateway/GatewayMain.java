@@ -46,7 +46,7 @@ import picocli.CommandLine.Spec;
       "  jopenshowvar gateway --mock 3 --mqtt tcp://127.0.0.1:1883 --prometheus 127.0.0.1:9464"
     })
 public final class GatewayMain implements Callable<Integer> {
-  private static final Logger LOG = logger();
+  private static final Logger LOG = LoggerFactory.getLogger(GatewayMain.class);
   private static final List<OutputKind<?>> KINDS =
       List.of(new PrometheusKind(), new MqttKind(), new OpcUaKind());
   private static final long CHANGE_CHECK_SECONDS = 1;
@@ -102,15 +102,6 @@ public final class GatewayMain implements Callable<Integer> {
   private boolean dryRun;
 
   private GatewayMain() {}
-
-  /** Creates the first logger, with our settings: a library brings a logback.xml of its own. */
-  private static Logger logger() {
-    String key = "logback.configurationFile";
-    if (System.getProperty(key) == null) {
-      System.setProperty(key, "gateway-logback.xml");
-    }
-    return LoggerFactory.getLogger(GatewayMain.class);
-  }
 
   /**
    * Runs the gateway, and ends the process.

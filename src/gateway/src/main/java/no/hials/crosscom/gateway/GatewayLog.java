@@ -1,0 +1,62 @@
+package no.hials.crosscom.gateway;
+
+import ch.qos.logback.classic.Level;
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.LoggerContext;
+import ch.qos.logback.classic.encoder.PatternLayoutEncoder;
+import ch.qos.logback.classic.spi.Configurator;
+import ch.qos.logback.classic.spi.ConfiguratorRank;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.ConsoleAppender;
+import ch.qos.logback.core.spi.ContextAwareBase;
+import ch.qos.logback.core.status.NopStatusListener;
+import java.util.List;
+
+/**
+ * Configures logback, which finds it as a service, before the file {@code logback.xml} of a
+ * library: what an operator has to know goes to stderr, one line each. Texts from outside cannot
+ * begin a line.
+ */
+@ConfiguratorRank(ConfiguratorRank.CUSTOM_HIGH_PRIORITY)
+public final class GatewayLog extends ContextAwareBase implements Configurator {
+  private static final String PATTERN =
+      "%d{yyyy-MM-dd'T'HH:mm:ss.SSSXXX} %-5level %replace(%msg){'\\p{Cntrl}', '?'}%n";
+
+  /** They log stack traces for each client that is refused; the OPC UA output has its own lines. */
+  private static final List<String> OF_REFUSED_CLIENTS =
+      List.of(
+          "org.eclipse.milo.opcua.stack.transport.server",
+          "org.eclipse.milo.opcua.sdk.server.diagnostics");
+
+  /** Creates the configurator; for the service loader. */
+  public GatewayLog() {}
+
+  @Override
+  public ExecutionStatus configure(LoggerContext context) {
+    if (System.getProperty("logback.configurationFile") != null) { // the operator's own
+      return ExecutionStatus.INVOKE_NEXT_IF_ANY;
+    }
+    // logback's own notes would go to stdout
+    context.getStatusManager().add(new NopStatusListener());
+
+    PatternLayoutEncoder encoder = new PatternLayoutEncoder();
+    encoder.setContext(context);
+    encoder.setPattern(PATTERN);
+    encoder.start();
+
+    ConsoleAppender<ILoggingEvent> stderr = new ConsoleAppender<>();
+    stderr.setContext(context);
+    stderr.setTarget("System.err");
+    stderr.setEncoder(encoder);
+    stderr.start();
+
+    Logger root = context.getLogger(org.slf4j.Logger.ROOT_LOGGER_NAME);
+    root.setLevel(Level.WARN);
+    root.addAppender(stderr);
+    context.getLogger("no.hials.crosscom").setLevel(Level.INFO);
+    for (String each : OF_REFUSED_CLIENTS) {
+      context.getLogger(each).setLevel(Level.OFF);
+    }
+    return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
+  }
+}

@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import no.hials.crosscom.internal.exchange.TextCharset;
 import no.hials.crosscom.protocol.ServerType;
@@ -21,6 +22,9 @@ public final class ClientConfig {
 
   /** Does nothing; no thread is started for it. */
   static final ConnectionListener NO_LISTENER = event -> {};
+
+  /** One object, so that configurations without a condition are equal. */
+  static final BooleanSupplier ALWAYS = () -> true;
 
   private final String host;
   private final Options options;
@@ -138,6 +142,11 @@ public final class ClientConfig {
     return options.listener;
   }
 
+  /** Returns the condition of each access. */
+  public BooleanSupplier accessIf() {
+    return options.accessIf;
+  }
+
   /** Returns the maximum number of asynchronous calls that have not ended. */
   public int maxPendingCalls() {
     return options.maxPendingCalls;
@@ -179,6 +188,7 @@ public final class ClientConfig {
     values.put("reconnectBackoff", options.reconnectBackoff);
     values.put("maxReconnectBackoff", options.maxReconnectBackoff);
     values.put("listener", options.listener);
+    values.put("accessIf", options.accessIf);
     values.put("maxPendingCalls", options.maxPendingCalls);
     values.put("runtime", options.runtime);
     return values;
@@ -198,6 +208,7 @@ public final class ClientConfig {
     private Duration maxReconnectBackoff = Duration.ofSeconds(5);
     private Duration keepAlive = Duration.ofSeconds(10);
     private ConnectionListener listener = NO_LISTENER;
+    private BooleanSupplier accessIf = ALWAYS;
     private int maxPendingCalls = 1000;
     private ClientRuntime runtime = ClientRuntime.shared();
 
@@ -351,6 +362,21 @@ public final class ClientConfig {
      */
     public Builder listener(ConnectionListener value) {
       options.listener = Objects.requireNonNull(value, "listener");
+      return this;
+    }
+
+    // permission
+
+    /**
+     * Sets a condition of each access to the controller, such as a lease: it is asked before each
+     * attempt to connect and before each request, also those of watches and of the keep-alive. If
+     * it is false, nothing is sent, the connection is closed, and the call fails with {@link
+     * CrossComConnectException}. The client reconnects as after a loss. By default there is none.
+     *
+     * @param value called in several threads, also in those of the client; must not block
+     */
+    public Builder accessIf(BooleanSupplier value) {
+      options.accessIf = Objects.requireNonNull(value, "accessIf");
       return this;
     }
 

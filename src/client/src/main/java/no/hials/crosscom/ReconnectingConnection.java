@@ -46,6 +46,8 @@ final class ReconnectingConnection {
 
   private static final long NEVER = Long.MAX_VALUE;
 
+  private static final String NOT_ALLOWED = "an access is not allowed now (accessIf)";
+
   private final ClientConfig config;
   private final ClientRuntime runtime;
   private final SelectorLoop loop;
@@ -246,6 +248,7 @@ final class ReconnectingConnection {
    */
   ExchangeAnswer send(byte[] frame, int length, MessageType type, Repeatability effect, String name)
       throws CrossComException {
+    checkAllowed();
     Threads.commitCall();
     Connection used = current();
     boolean known = used.hasAnswered();
@@ -274,6 +277,7 @@ final class ReconnectingConnection {
       String what,
       Class<? extends TypedResponse> answerClass)
       throws CrossComException {
+    checkAllowed();
     Threads.commitCall();
     try {
       MessageAnswer answer =
@@ -301,6 +305,16 @@ final class ReconnectingConnection {
     AnswerFrame frame = answer.frame();
     boolean refused = !frame.success() || (type == MessageType.READ && frame.isEmpty());
     meter.answered(turn.waited(), answer.nanos(), !refused);
+  }
+
+  /** Closes the connection and throws if the condition of each access does not hold. */
+  private void checkAllowed() throws CrossComConnectException {
+    if (!config.accessIf().getAsBoolean()) {
+      current().close();
+      CrossComConnectException failure = new CrossComConnectException(NOT_ALLOWED, null);
+      lost(failure);
+      throw failure;
+    }
   }
 
   private int nextId() {
@@ -403,6 +417,9 @@ final class ReconnectingConnection {
   }
 
   private CompletableFuture<Connection> attempt() {
+    if (!config.accessIf().getAsBoolean()) {
+      return CompletableFuture.failedFuture(new IOException(NOT_ALLOWED));
+    }
     CompletableFuture<Connection> attempt = ConnectAttempt.start(config);
     connecting = attempt;
     if (closed) {
@@ -519,6 +536,12 @@ final class ReconnectingConnection {
       Repeatability effect,
       String name,
       AnswerHandler handler) {
+    try {
+      checkAllowed();
+    } catch (CrossComConnectException e) {
+      handler.failed(e);
+      return;
+    }
     Connection used = current();
     boolean known = used.hasAnswered();
     used.exchangeAsync(

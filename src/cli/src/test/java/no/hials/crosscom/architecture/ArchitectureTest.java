@@ -86,6 +86,7 @@ class ArchitectureTest {
           entry("simulator", "lang kinematics protocol"),
           entry("mock", "simulator lang kinematics protocol"),
           entry("cell", "client lang protocol"),
+          entry("gateway", "cell client mock simulator protocol"),
           entry("lab", "cell control client mock simulator kinematics protocol"),
           entry("web", "cell control client mock simulator lang kinematics protocol"),
           entry("cli", "lab web cell control client mock simulator lang kinematics protocol"));

@@ -14,7 +14,7 @@ public interface GatewayContext {
   /** Returns a robot; null if there is none of this name now. */
   @Nullable RobotFeed robot(String name);
 
-  /** Returns what writes for other systems. Writing blocks: not for the thread of an update. */
+  /** Returns the writes of other systems. Writing blocks: not for the thread of an update. */
   Writes writes();
 
   /** Returns the folder for the files of outputs. */

@@ -348,7 +348,7 @@ public final class Session implements AutoCloseable {
 
   private CompletableFuture<?> subscribe(Link over) {
     List<CompletableFuture<?>> all = new ArrayList<>();
-    for (Traffic.Subscription one : traffic().subscriptions()) {
+    for (Traffic.TopicFilter one : traffic().subscriptions()) {
       all.add(
           over.subscribe(one.filter(), one.qos(), one.receiver())
               .handle(

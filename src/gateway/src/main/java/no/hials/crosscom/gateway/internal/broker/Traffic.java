@@ -10,13 +10,13 @@ public interface Traffic {
    *
    * @param receiver called on a thread of the connection; it must not block
    */
-  record Subscription(String filter, int qos, Consumer<Received> receiver) {}
+  record TopicFilter(String filter, int qos, Consumer<Received> receiver) {}
 
   /** Returns the will of the next connection. */
   Publication will();
 
   /** Returns the subscriptions. */
-  List<Subscription> subscriptions();
+  List<TopicFilter> subscriptions();
 
   /** Called when the broker is connected and has the subscriptions. */
   void connected();

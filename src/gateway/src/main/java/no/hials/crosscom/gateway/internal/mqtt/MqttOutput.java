@@ -8,7 +8,7 @@ import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
-import no.hials.crosscom.gateway.internal.broker.Commands;
+import no.hials.crosscom.gateway.internal.broker.CommandQueue;
 import no.hials.crosscom.gateway.internal.broker.Session;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
@@ -23,7 +23,7 @@ final class MqttOutput implements Output {
   private final Session session;
 
   private final PlainTraffic traffic;
-  private final @Nullable Commands commands;
+  private final @Nullable CommandQueue commands;
   private final @Nullable Sparkplug sparkplug;
 
   /** The connection for Sparkplug, since a connection has only one will. */
@@ -36,7 +36,7 @@ final class MqttOutput implements Output {
     }
     Path folder = context.folder().resolve("mqtt-store");
     session = new Session(broker, "plain", folder.resolve("plain"), context.health());
-    commands = settings.commands() ? new Commands(context) : null;
+    commands = settings.commands() ? new CommandQueue(context) : null;
     traffic = plainTraffic(settings, context, commands);
     LOG.info("MQTT: publishes to {}, topics {}/#", broker.url(), settings.topic());
     session.start(traffic);
@@ -55,7 +55,7 @@ final class MqttOutput implements Output {
   }
 
   private PlainTraffic plainTraffic(
-      MqttSettings settings, GatewayContext context, @Nullable Commands executor) {
+      MqttSettings settings, GatewayContext context, @Nullable CommandQueue executor) {
     if (executor == null) {
       return new PlainTraffic(settings, session, context, null);
     }

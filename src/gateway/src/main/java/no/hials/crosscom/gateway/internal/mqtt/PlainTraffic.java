@@ -73,8 +73,8 @@ final class PlainTraffic implements Traffic {
   }
 
   @Override
-  public List<Subscription> subscriptions() {
-    return commands == null ? List.of() : List.of(new Subscription(topics.commands(), 0, commands));
+  public List<TopicFilter> subscriptions() {
+    return commands == null ? List.of() : List.of(new TopicFilter(topics.commands(), 0, commands));
   }
 
   @Override

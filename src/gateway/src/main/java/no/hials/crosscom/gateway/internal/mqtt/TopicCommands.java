@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.Consumer;
-import no.hials.crosscom.gateway.internal.broker.Commands;
+import no.hials.crosscom.gateway.internal.broker.CommandQueue;
 import no.hials.crosscom.gateway.internal.broker.Publication;
 import no.hials.crosscom.gateway.internal.broker.Received;
 import org.jspecify.annotations.Nullable;
@@ -28,7 +28,7 @@ final class TopicCommands {
 
   private final Topics topics;
   private final int qos;
-  private final Commands commands;
+  private final CommandQueue commands;
   private final Consumer<Publication> results;
   private final Map<Identity, Boolean> known =
       new LinkedHashMap<>() {
@@ -46,7 +46,7 @@ final class TopicCommands {
    *
    * @param results publishes a result; called on any thread
    */
-  TopicCommands(MqttSettings settings, Commands commands, Consumer<Publication> results) {
+  TopicCommands(MqttSettings settings, CommandQueue commands, Consumer<Publication> results) {
     this.topics = new Topics(settings.topic());
     this.qos = settings.qos();
     this.commands = commands;

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
-import no.hials.crosscom.gateway.internal.broker.Commands;
+import no.hials.crosscom.gateway.internal.broker.CommandQueue;
 import no.hials.crosscom.gateway.internal.broker.Publication;
 import no.hials.crosscom.gateway.internal.broker.Received;
 import no.hials.crosscom.gateway.internal.broker.Session;
@@ -34,7 +34,7 @@ public final class SparkplugTraffic implements Traffic {
 
   private final SparkplugId id;
   private final Session session;
-  private final @Nullable Commands commands;
+  private final @Nullable CommandQueue commands;
   private final BirthNumber connection;
   private final Map<String, Device> devices = new LinkedHashMap<>();
   private long lastAlias;
@@ -46,7 +46,8 @@ public final class SparkplugTraffic implements Traffic {
    * @param file keeps the number of the last connection
    * @param commands executes commands; null if there are none
    */
-  public SparkplugTraffic(SparkplugId id, Session session, Path file, @Nullable Commands commands) {
+  public SparkplugTraffic(
+      SparkplugId id, Session session, Path file, @Nullable CommandQueue commands) {
     this.id = id;
     this.session = session;
     this.commands = commands;
@@ -65,12 +66,12 @@ public final class SparkplugTraffic implements Traffic {
   }
 
   @Override
-  public List<Subscription> subscriptions() {
-    List<Subscription> all = new ArrayList<>();
-    all.add(new Subscription(id.topic("NCMD"), 1, this::nodeCommand));
+  public List<TopicFilter> subscriptions() {
+    List<TopicFilter> all = new ArrayList<>();
+    all.add(new TopicFilter(id.topic("NCMD"), 1, this::nodeCommand));
     if (commands != null) {
       // quality 0, so that none is received twice
-      all.add(new Subscription(id.topic("DCMD") + "/+", 0, this::deviceCommand));
+      all.add(new TopicFilter(id.topic("DCMD") + "/+", 0, this::deviceCommand));
     }
     return all;
   }
@@ -261,7 +262,7 @@ public final class SparkplugTraffic implements Traffic {
   }
 
   private void execute(Received message, String robot, List<Metric> metrics) {
-    Commands executor = commands;
+    CommandQueue executor = commands;
     if (executor == null) {
       return;
     }

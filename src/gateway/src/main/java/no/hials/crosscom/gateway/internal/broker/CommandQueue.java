@@ -20,8 +20,8 @@ import org.slf4j.LoggerFactory;
  * Executes commands of other systems, one at a time for each robot, on a thread for each robot that
  * has commands. Nothing is repeated. Thread-safe.
  */
-public final class Commands implements AutoCloseable {
-  private static final Logger LOG = LoggerFactory.getLogger(Commands.class);
+public final class CommandQueue implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(CommandQueue.class);
   private static final int WAITING = 16;
   private static final int LONGEST_VALUE = 4096;
   private static final int IDLE_SECONDS = 10;
@@ -32,7 +32,7 @@ public final class Commands implements AutoCloseable {
   private volatile boolean closed;
 
   /** Creates an object that writes with the permissions of the gateway. */
-  public Commands(GatewayContext context) {
+  public CommandQueue(GatewayContext context) {
     this.context = context;
     this.counter =
         context.health().counter("mqtt_commands", "Commands from topics, by result", "result");
@@ -71,7 +71,7 @@ public final class Commands implements AutoCloseable {
     }
     try {
       threads
-          .computeIfAbsent(robot, Commands::newThread)
+          .computeIfAbsent(robot, CommandQueue::newThread)
           .execute(() -> result.accept(write(who, feed, variable, value)));
     } catch (RejectedExecutionException e) {
       result.accept(

@@ -45,7 +45,7 @@ public final class FileException extends IOException {
   }
 
   /** Returns the reason; the message of most such exceptions is only the file name. */
-  static String reason(IOException e) {
+  public static String reason(IOException e) {
     return switch (e.getClass().getSimpleName()) {
       case "NoSuchFileException" -> "file not found";
       case "FileAlreadyExistsException" -> "the file already exists";

@@ -69,7 +69,7 @@ public final class SampledRobot implements Closeable {
   }
 
   /** Returns the name; empty if the robot has no name. */
-  String name() {
+  public String name() {
     return robot.name();
   }
 
@@ -218,7 +218,7 @@ public final class SampledRobot implements Closeable {
   }
 
   /** Returns the number of failed readings since the last sample. */
-  long failedSinceSample() {
+  public long failedSinceSample() {
     return failedReadings() - failedBeforeSample;
   }
 

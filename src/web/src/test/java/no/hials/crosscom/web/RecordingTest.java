@@ -15,7 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import no.hials.crosscom.cell.RecordedData;
+import no.hials.crosscom.cell.recording.RecordedData;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -15,7 +15,7 @@ import no.hials.crosscom.CrossComValueException;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.OtherValueException;
-import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.recording.OutputException;
 
 /** How a command ended, from the best to the worst. {@link ConsoleCommand} documents them. */
 public enum ExitCode {

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.RemoteName;
+import no.hials.crosscom.cell.recording.OutputException;
 import org.jspecify.annotations.Nullable;
 
 /** The files of this computer that commands read and write. */

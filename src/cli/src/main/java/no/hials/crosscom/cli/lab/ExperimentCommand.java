@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.stream.Stream;
-import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.recording.OutputException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.ExitCode;
 import no.hials.crosscom.cli.base.LiveLine;
@@ -47,9 +47,10 @@ import picocli.CommandLine.Parameters;
     },
     footer = {
       "",
-      "The robot is a KR 6 R900 sixx that runs a program of krl (actuator.src or ext_move_axis.src), with"
-          + " the watchdog krl/jov_sps.sub. It is simulated in real time in a separate process."
-          + " Other programs on this computer can disturb the period of the loop.",
+      "The robot is a KR 6 R900 sixx that runs a program of krl (actuator.src or"
+          + " ext_move_axis.src), with the watchdog krl/jov_sps.sub. It is simulated in real time"
+          + " in a separate process. Other programs on this computer can disturb the period of the"
+          + " loop.",
       "",
       "The exit code is 1 if a limit or an error stopped the robot. Ctrl-C ends an experiment; its"
           + " files then have what was measured until then, and the exit code is 130.",

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.recording.OutputException;
 import no.hials.crosscom.cli.base.ConsoleCommand;
 import no.hials.crosscom.cli.base.LocalFiles;
 import no.hials.crosscom.lab.plot.Chart;

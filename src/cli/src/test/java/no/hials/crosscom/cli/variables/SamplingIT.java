@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
-import no.hials.crosscom.cell.RecordedData;
+import no.hials.crosscom.cell.recording.RecordedData;
 import no.hials.crosscom.cli.base.Cli;
 import no.hials.crosscom.cli.base.Jar;
 import no.hials.crosscom.cli.base.PseudoTerminal;

@@ -13,7 +13,7 @@ import java.util.function.BooleanSupplier;
 import no.hials.crosscom.ClientConfig;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
-import no.hials.crosscom.cell.OutputException;
+import no.hials.crosscom.cell.recording.OutputException;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -7,9 +7,9 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.locks.ReentrantLock;
-import no.hials.crosscom.cell.CsvText;
-import no.hials.crosscom.cell.OutputException;
 import no.hials.crosscom.cell.TimeText;
+import no.hials.crosscom.cell.recording.CsvText;
+import no.hials.crosscom.cell.recording.OutputException;
 
 /** Writes each access that {@code bench} measures as a line of a CSV file. */
 public final class BenchCsv implements Bench.BenchListener, AutoCloseable {

@@ -12,11 +12,11 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import no.hials.crosscom.cell.CsvFile;
-import no.hials.crosscom.cell.CsvText;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.RecordedData;
 import no.hials.crosscom.cell.Units;
+import no.hials.crosscom.cell.recording.CsvFile;
+import no.hials.crosscom.cell.recording.CsvText;
+import no.hials.crosscom.cell.recording.RecordedData;
 
 /**
  * The columns of a CSV file for plotting: a file from {@code record}, or any other file whose first

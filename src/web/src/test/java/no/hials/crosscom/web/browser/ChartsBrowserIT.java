@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import no.hials.crosscom.cell.RecordedData;
+import no.hials.crosscom.cell.recording.RecordedData;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
 import org.junit.jupiter.api.AfterEach;

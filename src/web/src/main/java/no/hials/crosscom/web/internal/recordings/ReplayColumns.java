@@ -18,9 +18,9 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import no.hials.crosscom.cell.RecordedData;
-import no.hials.crosscom.cell.RecordedData.RecordedColumn;
 import no.hials.crosscom.cell.Units;
+import no.hials.crosscom.cell.recording.RecordedData;
+import no.hials.crosscom.cell.recording.RecordedData.RecordedColumn;
 import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Json;
 

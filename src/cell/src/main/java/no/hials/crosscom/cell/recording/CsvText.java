@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import java.util.regex.Pattern;
 import no.hials.crosscom.protocol.value.PrintableText;

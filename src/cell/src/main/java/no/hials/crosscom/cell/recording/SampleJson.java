@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
@@ -7,6 +7,9 @@ import java.util.Map;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.cell.JsonLine;
+import no.hials.crosscom.cell.SampledRobot;
+import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.protocol.value.KrlValue;
 
 /** Prints a sample as one line of JSON; the help of {@code watch} describes it. */

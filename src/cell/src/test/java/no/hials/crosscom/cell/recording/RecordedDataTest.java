@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import no.hials.crosscom.cell.FileException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -99,10 +100,13 @@ class RecordedDataTest {
       quoteCharacter = '`',
       value = {
         "``                                 | ``                    | it is empty",
-        "a,b,c,d                            | 1,2,3,4               | the first line must be time,sec",
+        "a,b,c,d                            | 1,2,3,4               | the first line must be"
+            + " time,sec",
         "time,seconds,R,access_ms,status    | ``                    | it must have a row, has none",
-        "time,seconds,R,access_ms,status    | now,0,1,2,            | line 2 must begin with a time",
-        "time,seconds,R,access_ms,status    | 2026-05-04T10:15:30Z,x,1,2, | line 2 must have the sec"
+        "time,seconds,R,access_ms,status    | now,0,1,2,            | line 2 must begin with a"
+            + " time",
+        "time,seconds,R,access_ms,status    | 2026-05-04T10:15:30Z,x,1,2, | line 2 must have the"
+            + " sec"
       })
   void saysWhyAFileIsNoRecording(String header, String row, String reason) {
     assertThatThrownBy(() -> read(header, row))

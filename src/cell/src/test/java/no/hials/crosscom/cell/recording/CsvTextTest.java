@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import de.siegmar.fastcsv.writer.CsvWriter;
 import java.io.IOException;
@@ -17,6 +17,10 @@ import no.hials.crosscom.ConnectionEvent.ConnectionChange;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.Sample.Reading;
+import no.hials.crosscom.cell.Leaf;
+import no.hials.crosscom.cell.SampledRobot;
+import no.hials.crosscom.cell.Sampling;
+import no.hials.crosscom.cell.TimeText;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 

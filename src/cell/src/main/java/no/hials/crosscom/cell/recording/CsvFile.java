@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import de.siegmar.fastcsv.reader.CsvParseException;
 import de.siegmar.fastcsv.reader.CsvReader;
@@ -7,6 +7,8 @@ import de.siegmar.fastcsv.reader.FieldMismatchStrategy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.Printable;
 
 /** Reads CSV files (RFC 4180, UTF-8), with a byte order mark or without. */
 public final class CsvFile {

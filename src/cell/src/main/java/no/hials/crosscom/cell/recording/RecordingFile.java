@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import java.io.IOException;
 import java.io.OutputStream;

@@ -1,9 +1,11 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import java.io.Closeable;
 import java.time.Duration;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.Sample;
+import no.hials.crosscom.cell.SampledRobot;
+import no.hials.crosscom.cell.Sampling;
 
 /** Writes samples to a file, each one immediately. */
 public interface Recording extends Closeable {

@@ -1,4 +1,4 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import de.siegmar.fastcsv.reader.CsvRecord;
 import java.nio.file.Path;
@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import no.hials.crosscom.cell.FileException;
 
 /**
  * The contents of a CSV file that {@code record} wrote. The columns are {@link #TIME}, {@link

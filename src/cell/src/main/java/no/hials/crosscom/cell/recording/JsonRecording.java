@@ -1,8 +1,9 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import java.io.IOException;
 import java.time.Duration;
 import no.hials.crosscom.Sample;
+import no.hials.crosscom.cell.SampledRobot;
 
 /** Writes a line of JSON for each sample, which also has the number of failed readings. */
 public final class JsonRecording implements Recording {

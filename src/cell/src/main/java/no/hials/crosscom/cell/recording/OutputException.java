@@ -1,8 +1,9 @@
-package no.hials.crosscom.cell;
+package no.hials.crosscom.cell.recording;
 
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
 import java.util.Locale;
+import no.hials.crosscom.cell.FileException;
 import org.jspecify.annotations.Nullable;
 
 /** Thrown when data cannot be written to stdout or a file. */

@@ -64,7 +64,7 @@ public record BrokerSettings(
   }
 
   /**
-   * Returns what trusts the certificates of a file.
+   * Creates a trust manager with the certificates of a file.
    *
    * @throws FileException if it cannot be read, or has no certificate
    */

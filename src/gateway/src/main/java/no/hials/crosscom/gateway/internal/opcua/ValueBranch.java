@@ -136,14 +136,14 @@ final class ValueBranch {
         element ? element(part, index) : field(part, label));
   }
 
-  /** Returns what takes a field from a value. */
+  /** Returns a function from a value to one of its fields. */
   static UnaryOperator<@Nullable KrlValue> field(
       UnaryOperator<@Nullable KrlValue> whole, String name) {
     return value ->
         whole.apply(value) instanceof KrlStruct struct ? struct.get(name).orElse(null) : null;
   }
 
-  /** Returns what takes an element from a value; the first index is 0. */
+  /** Returns a function from a value to one of its elements; the first index is 0. */
   static UnaryOperator<@Nullable KrlValue> element(
       UnaryOperator<@Nullable KrlValue> whole, int index) {
     return value -> {

@@ -4,14 +4,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PlantFile;
-import no.hials.crosscom.cell.feed.PollPlan;
 
 /**
  * A configuration of the gateway.
@@ -47,22 +45,7 @@ public record GatewayConfig(Plant plant, Path folder, Map<String, Object> output
       }
     }
     GatewayConfig config = new GatewayConfig(PlantFile.read(root, more), folder, outputs);
-    config.checkLoad();
+    config.plant.checkLoad();
     return config;
-  }
-
-  /** Refuses a plan that would take too much of the time of a controller. */
-  private void checkLoad() throws FileException {
-    for (PollPlan plan : plant.plans()) {
-      if (plan.load() > plant.maxLoad()) {
-        throw new FileException(
-            String.format(
-                Locale.ROOT,
-                "%s: at most %.0f %% is allowed ([limits] load); read fewer variables, less often,"
-                    + " or as structures",
-                plan.text(),
-                plant.maxLoad()));
-      }
-    }
   }
 }

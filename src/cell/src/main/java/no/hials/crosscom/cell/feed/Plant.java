@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import org.jspecify.annotations.Nullable;
 
@@ -41,5 +42,24 @@ public record Plant(
         .map(robot -> PollPlan.of(this, robot))
         .sorted((a, b) -> a.robot().name().compareTo(b.robot().name()))
         .toList();
+  }
+
+  /**
+   * Refuses a plan that would take too much of the time of a controller.
+   *
+   * @throws FileException if a plan is above the limit
+   */
+  public void checkLoad() throws FileException {
+    for (PollPlan plan : plans()) {
+      if (plan.load() > maxLoad) {
+        throw new FileException(
+            String.format(
+                Locale.ROOT,
+                "%s: at most %.0f %% is allowed ([limits] load); read fewer variables, less often,"
+                    + " or as structures",
+                plan.text(),
+                maxLoad));
+      }
+    }
   }
 }

@@ -1,0 +1,25 @@
+package no.hials.crosscom.kafka;
+
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.kafka.internal.Settings;
+import org.apache.kafka.common.config.Config;
+import org.apache.kafka.common.config.ConfigValue;
+
+/** Checks the file of a plant when a connector is created or changed. */
+final class PlantChecks {
+  private PlantChecks() {}
+
+  /** Adds what is wrong with the file to the errors of its property. */
+  static Config check(Config config) {
+    for (ConfigValue value : config.configValues()) {
+      if (value.name().equals(Settings.PLANT) && value.value() instanceof String file) {
+        try {
+          String unused = Settings.plantText(file);
+        } catch (FileException e) {
+          value.addErrorMessage(e.getMessage());
+        }
+      }
+    }
+    return config;
+  }
+}

@@ -1,0 +1,85 @@
+package no.hials.crosscom.kafka;
+
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.kafka.internal.PlantText;
+import no.hials.crosscom.kafka.internal.PlantWatch;
+import no.hials.crosscom.kafka.internal.Settings;
+import no.hials.crosscom.kafka.internal.Versions;
+import org.apache.kafka.common.config.Config;
+import org.apache.kafka.common.config.ConfigDef;
+import org.apache.kafka.connect.connector.Task;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.source.ExactlyOnceSupport;
+import org.apache.kafka.connect.source.SourceConnector;
+import org.apache.kafka.connect.util.ConnectorUtils;
+import org.jspecify.annotations.Nullable;
+
+/** Reads the robots of a plant into topics. The robots are spread over its tasks. */
+public final class RobotSourceConnector extends SourceConnector {
+  private @Nullable Settings settings;
+  private @Nullable PlantWatch plant;
+
+  /** Creates a connector that Connect starts. */
+  public RobotSourceConnector() {}
+
+  @Override
+  public String version() {
+    return Versions.own();
+  }
+
+  @Override
+  public ConfigDef config() {
+    return Settings.SOURCE;
+  }
+
+  @Override
+  public Config validate(Map<String, String> properties) {
+    return PlantChecks.check(super.validate(properties));
+  }
+
+  @Override
+  public ExactlyOnceSupport exactlyOnceSupport(Map<String, String> properties) {
+    return ExactlyOnceSupport.SUPPORTED;
+  }
+
+  @Override
+  public Class<? extends Task> taskClass() {
+    return RobotSourceTask.class;
+  }
+
+  @Override
+  public void start(Map<String, String> properties) {
+    Settings read = Settings.of(Settings.SOURCE, properties);
+    settings = read;
+    plant =
+        new PlantWatch(
+            read.getString(Settings.PLANT), () -> context().requestTaskReconfiguration());
+  }
+
+  @Override
+  public List<Map<String, String>> taskConfigs(int maxTasks) {
+    if (settings == null || plant == null) {
+      throw new IllegalStateException("not started");
+    }
+    String text = plant.text();
+    try {
+      List<String> robots =
+          PlantText.read(settings.getString(Settings.PLANT), text).robots().keySet().stream()
+              .sorted()
+              .toList();
+      int groups = Math.min(maxTasks, robots.size());
+      return settings.tasks(text, ConnectorUtils.groupPartitions(robots, groups));
+    } catch (FileException e) {
+      throw new ConnectException(e.getMessage(), e);
+    }
+  }
+
+  @Override
+  public void stop() {
+    if (plant != null) {
+      plant.close();
+    }
+  }
+}

@@ -1,0 +1,270 @@
+package no.hials.crosscom.kafka;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.Date;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.kafka.internal.Lease;
+import no.hials.crosscom.kafka.internal.Lease.Moment;
+import no.hials.crosscom.kafka.internal.RobotSource;
+import no.hials.crosscom.kafka.internal.RobotSource.Item;
+import no.hials.crosscom.kafka.internal.SampleRecords;
+import no.hials.crosscom.kafka.internal.Settings;
+import no.hials.crosscom.kafka.internal.Versions;
+import org.apache.kafka.clients.producer.RecordMetadata;
+import org.apache.kafka.connect.data.Schema;
+import org.apache.kafka.connect.data.Struct;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.source.SourceRecord;
+import org.apache.kafka.connect.source.SourceTask;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Reads some robots. A record that the broker has acknowledged renews the lease, from the time when
+ * the task gave it to Connect; a small record several times a lease sees to it that there is one.
+ * Without the lease no robot is used, by the condition of each access of the client.
+ */
+public final class RobotSourceTask extends SourceTask {
+  private static final Logger LOG = LoggerFactory.getLogger(RobotSourceTask.class);
+
+  /** The records that renew the lease in one length of it. */
+  private static final int BEATS = 4;
+
+  private static final int MAX_BATCH = 2000;
+  private static final long POLL_MILLIS = 100;
+  private static final long CHECK_NANOS = 250_000_000;
+
+  private final List<RobotSource> robots = new ArrayList<>();
+  private final SampleRecords values = new SampleRecords();
+  private @Nullable Settings settings;
+  private @Nullable Lease lease;
+  private @Nullable BlockingQueue<Item> queue;
+
+  /** Whether robots may be used while the lease is held. */
+  private volatile boolean allowed;
+
+  private boolean opened;
+  private boolean recovering;
+  private long recoveringSince;
+  private long lastBeat;
+  private long lastCheck;
+  private long records;
+
+  /** Creates a task that Connect starts. */
+  public RobotSourceTask() {}
+
+  /** A record that knows when it was given to Connect. */
+  private static final class Given extends SourceRecord {
+    private final Moment moment;
+
+    Given(
+        Map<String, ?> partition,
+        Map<String, ?> offset,
+        String topic,
+        String key,
+        Struct value,
+        Instant time,
+        Moment moment) {
+      super(
+          partition,
+          offset,
+          topic,
+          null,
+          Schema.STRING_SCHEMA,
+          key,
+          value.schema(),
+          value,
+          time.toEpochMilli());
+      this.moment = moment;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+      return this == other;
+    }
+
+    @Override
+    public int hashCode() {
+      return System.identityHashCode(this);
+    }
+  }
+
+  @Override
+  public String version() {
+    return Versions.own();
+  }
+
+  @Override
+  public void start(Map<String, String> properties) {
+    Settings read = Settings.of(Settings.SOURCE, properties);
+    settings = read;
+    lease = new Lease(read.time(Settings.LEASE));
+    BlockingQueue<Item> waiting = new ArrayBlockingQueue<>(read.getInt(Settings.BUFFER));
+    queue = waiting;
+    lastBeat = System.nanoTime() - beatNanos(read);
+    List<String> names = read.taskRobots();
+    List<Map<String, String>> partitions =
+        names.stream().map(name -> Map.of(RobotSource.PARTITION, name)).toList();
+    Map<Map<String, String>, Map<String, Object>> offsets =
+        context.offsetStorageReader().offsets(partitions);
+    try {
+      Plant plant = read.taskPlant();
+      plant.plans().stream()
+          .filter(plan -> names.contains(plan.robot().name()))
+          .map(
+              plan ->
+                  new RobotSource(
+                      plan,
+                      waiting,
+                      offsets.get(Map.of(RobotSource.PARTITION, plan.robot().name()))))
+          .forEach(robots::add);
+    } catch (FileException e) {
+      throw new ConnectException(e.getMessage(), e);
+    }
+    LOG.info("{} robots: {}", names.size(), String.join(", ", names));
+  }
+
+  private static long beatNanos(Settings settings) {
+    return settings.time(Settings.LEASE).dividedBy(BEATS).toNanos();
+  }
+
+  @Override
+  public @Nullable List<SourceRecord> poll() throws InterruptedException {
+    Settings own = settings;
+    BlockingQueue<Item> waiting = queue;
+    if (own == null || waiting == null) {
+      throw new IllegalStateException("not started");
+    }
+    // before the lease is looked at: a process that is frozen in between gets no newer moment
+    Moment moment = Moment.now();
+    followLease(own, moment);
+    if (moment.nanos() - lastCheck > CHECK_NANOS) {
+      lastCheck = moment.nanos();
+      robots.forEach(RobotSource::check);
+    }
+    List<SourceRecord> batch = new ArrayList<>();
+    if (moment.nanos() - lastBeat >= beatNanos(own)) {
+      lastBeat = moment.nanos();
+      batch.add(beat(own, moment));
+    }
+    Item item = batch.isEmpty() ? waiting.poll(POLL_MILLIS, TimeUnit.MILLISECONDS) : waiting.poll();
+    while (item != null) {
+      batch.add(record(own, item, moment));
+      item = batch.size() < MAX_BATCH ? waiting.poll() : null;
+    }
+    records += batch.size();
+    return batch.isEmpty() ? null : batch;
+  }
+
+  private boolean isHeld() {
+    return lease != null && lease.isHeld();
+  }
+
+  private void followLease(Settings own, Moment now) {
+    if (!isHeld()) {
+      if (allowed) {
+        allowed = false;
+        LOG.warn(
+            "no proof for {} ms that the broker is reached: the robots are not used",
+            own.getLong(Settings.LEASE));
+      }
+      recovering = false;
+    } else if (!opened) {
+      allowed = true;
+      opened = true;
+      robots.forEach(this::open);
+    } else if (!allowed) {
+      follow(own.time(Settings.LEASE_RECOVERY), now);
+    }
+  }
+
+  /** Waits until Connect would have taken the robots away from a worker that is no member. */
+  private void follow(Duration wait, Moment now) {
+    if (!recovering) {
+      recovering = true;
+      recoveringSince = now.nanos();
+    }
+    if (now.nanos() - recoveringSince >= wait.toNanos()) {
+      LOG.info("the broker is reached: the robots are used again");
+      robots.forEach(robot -> robot.resumed("the task had not reached the broker"));
+      allowed = true;
+    }
+  }
+
+  private void open(RobotSource robot) {
+    try {
+      robot.open(() -> allowed && isHeld());
+    } catch (IOException e) {
+      throw new ConnectException(robot.name() + ": " + e.getMessage(), e);
+    }
+  }
+
+  private SourceRecord record(Settings own, Item item, Moment moment) {
+    RobotSource robot = item.robot();
+    Struct value = robot.take(item, values);
+    return new Given(
+        robot.partition(),
+        robot.offset(),
+        own.getString(Settings.TOPIC).replace("{robot}", robot.name()),
+        robot.name(),
+        value,
+        item.time(),
+        moment);
+  }
+
+  private SourceRecord beat(Settings own, Moment moment) {
+    Instant time = Instant.ofEpochMilli(moment.millis());
+    Struct value =
+        new Struct(SampleRecords.LEASE_SCHEMA)
+            .put("connector", own.connector())
+            .put("task", own.taskNumber())
+            .put("time", Date.from(time))
+            .put("held", allowed)
+            .put("robots", robots.size())
+            .put("connected", (int) robots.stream().filter(RobotSource::isConnected).count())
+            .put("records", records)
+            .put("missed", robots.stream().mapToLong(RobotSource::missed).sum())
+            .put("lost", robots.stream().mapToLong(RobotSource::lost).sum());
+    return new Given(
+        Map.of("task", own.taskNumber()),
+        Map.of("time", moment.millis()),
+        own.getString(Settings.LEASE_TOPIC),
+        own.connector() + "-" + own.taskNumber(),
+        value,
+        time,
+        moment);
+  }
+
+  @Override
+  public void commitRecord(SourceRecord record, @Nullable RecordMetadata metadata) {
+    // without metadata, a transformation has left it out: no proof
+    if (metadata != null && record instanceof Given given && lease != null) {
+      lease.renew(given.moment);
+    }
+  }
+
+  @Override
+  public void stop() {
+    allowed = false;
+    if (lease != null) {
+      lease.end();
+    }
+    for (RobotSource robot : robots) {
+      try {
+        robot.close();
+      } catch (IOException e) {
+        LOG.warn("{}: {}", robot.name(), e.getMessage());
+      }
+    }
+  }
+}

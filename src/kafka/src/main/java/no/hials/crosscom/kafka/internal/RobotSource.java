@@ -1,0 +1,274 @@
+package no.hials.crosscom.kafka.internal;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Queue;
+import java.util.function.BooleanSupplier;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.kafka.internal.SampleRecords.Gap;
+import org.apache.kafka.connect.data.Struct;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One robot of a task: its feed, the samples that wait for Connect, and the gaps between them. The
+ * feed calls it in its threads; all other methods are for the thread of the task.
+ */
+public final class RobotSource implements Closeable {
+  /** The key of the robot in the partition of a source offset. */
+  public static final String PARTITION = "robot";
+
+  private static final String RUN = "run";
+  private static final String SEQUENCE = "sequence";
+  private static final String TIME = "time";
+
+  /** The robot is connected again soon after its lease was lost and is held again. */
+  private static final Duration LONGEST_BACKOFF = Duration.ofSeconds(1);
+
+  private static final long REPORT_NANOS = 1_000_000_000;
+
+  private final PollPlan plan;
+  private final Queue<Item> queue;
+  private final long run;
+  private @Nullable RobotFeed feed;
+
+  // of the thread of the task
+  private long sequence;
+  private long lastMillis;
+  private long missedBefore;
+  private long droppedBefore;
+  private long missed;
+  private long reported = System.nanoTime();
+
+  // guarded by this
+  private Instant lastTime;
+  private @Nullable OpenGap gap;
+  private long lost;
+
+  /**
+   * Something that waits for Connect: a sample, or a gap.
+   *
+   * @param robot the robot
+   * @param update the sample; null for a gap
+   * @param gap the gap; null for a sample
+   */
+  public record Item(RobotSource robot, @Nullable Update update, @Nullable Gap gap) {
+    /** Returns the time of the sample, or of the end of the gap. */
+    public Instant time() {
+      return gap != null ? gap.to() : Objects.requireNonNull(update).time();
+    }
+  }
+
+  /** A gap that the next sample ends. */
+  private static final class OpenGap {
+    private final Instant from;
+    private String reason;
+    private boolean unread;
+    private long lost;
+
+    OpenGap(Instant from, String reason) {
+      this.from = from;
+      this.reason = reason;
+    }
+  }
+
+  /**
+   * Creates the source of a robot.
+   *
+   * @param queue a bounded queue for all robots of the task
+   * @param stored the last source offset of the robot; null if it has none
+   */
+  public RobotSource(PollPlan plan, Queue<Item> queue, @Nullable Map<String, ?> stored) {
+    this.plan = plan;
+    this.queue = queue;
+    long now = System.currentTimeMillis();
+    if (stored == null) {
+      run = now;
+      lastTime = Instant.ofEpochMilli(now);
+    } else {
+      // a clock that was set back must not repeat the number of a run
+      run = Math.max(now, number(stored, RUN) + 1);
+      lastTime = Instant.ofEpochMilli(number(stored, TIME));
+      lastMillis = lastTime.toEpochMilli();
+      OpenGap since =
+          new OpenGap(
+              lastTime,
+              "a task has started; the run before was stored up to "
+                  + number(stored, RUN)
+                  + "/"
+                  + number(stored, SEQUENCE));
+      since.unread = true;
+      gap = since;
+    }
+  }
+
+  private static long number(Map<String, ?> offset, String key) {
+    return offset.get(key) instanceof Number number ? number.longValue() : 0;
+  }
+
+  /** Returns the name of the robot. */
+  public String name() {
+    return plan.robot().name();
+  }
+
+  /** Returns the partition of its source offset. */
+  public Map<String, String> partition() {
+    return Map.of(PARTITION, name());
+  }
+
+  /** Returns the source offset of the last record. */
+  public Map<String, Object> offset() {
+    return Map.of(RUN, run, SEQUENCE, sequence, TIME, lastMillis);
+  }
+
+  /**
+   * Starts to read.
+   *
+   * @param allowed asked before each access
+   */
+  public void open(BooleanSupplier allowed) throws IOException {
+    RobotFeed opened =
+        RobotFeed.open(
+            plan,
+            (robot, settings) ->
+                RobotConnection.openLazily(
+                    robot,
+                    settings.andThen(
+                        cfg ->
+                            cfg.accessIf(allowed)
+                                .reconnectBackoff(Duration.ofMillis(100), LONGEST_BACKOFF))),
+            (robot, updates) -> updates.forEach(this::add));
+    feed = opened;
+    opened.start();
+  }
+
+  /** Returns whether the robot is connected. */
+  public boolean isConnected() {
+    return feed != null && feed.isConnected();
+  }
+
+  /** Returns the number of readings that were left out, as the gaps show it. */
+  public long missed() {
+    return missed;
+  }
+
+  /** Returns the number of samples that were dropped. */
+  public synchronized long lost() {
+    return lost;
+  }
+
+  private synchronized void add(Update update) {
+    if (closeGap(update.time()) && queue.offer(new Item(this, update, null))) {
+      if (update.time().isAfter(lastTime)) {
+        lastTime = update.time();
+      }
+    } else {
+      lose(1, "the buffer of the task was full");
+    }
+  }
+
+  private void lose(long count, String reason) {
+    if (gap == null) {
+      gap = new OpenGap(lastTime, reason);
+    }
+    gap.lost += count;
+    lost += count;
+  }
+
+  /** Puts the record of the open gap into the queue, if there is one; false if it is full. */
+  private boolean closeGap(Instant to) {
+    OpenGap open = gap;
+    if (open == null) {
+      return true;
+    }
+    Instant end = to.isBefore(open.from) ? open.from : to;
+    long unread = open.unread ? readings(open.from, end) : 0;
+    boolean queued =
+        queue.offer(new Item(this, null, new Gap(open.from, end, unread, open.lost, open.reason)));
+    if (queued) {
+      gap = null;
+    }
+    return queued;
+  }
+
+  /** Returns the number of readings that the plan has in a time. */
+  private long readings(Instant from, Instant to) {
+    long millis = Duration.between(from, to).toMillis();
+    return plan.reads().keySet().stream().mapToLong(period -> millis / period.toMillis()).sum();
+  }
+
+  /** Begins a gap, since the robot was not read and will be read again now. */
+  public void resumed(String reason) {
+    RobotFeed own = feed;
+    if (own != null) {
+      missedBefore = own.missedPolls();
+    }
+    synchronized (this) {
+      if (gap == null) {
+        gap = new OpenGap(lastTime, reason);
+      } else {
+        gap.reason += "; " + reason;
+      }
+      gap.unread = true;
+    }
+  }
+
+  /** Notices what is overdue, was left out or was dropped. */
+  public void check() {
+    RobotFeed own = feed;
+    if (own == null) {
+      return;
+    }
+    own.checkAges();
+    long now = System.nanoTime();
+    if (now - reported < REPORT_NANOS) {
+      return;
+    }
+    reported = now;
+    long left = own.missedPolls() - missedBefore;
+    long dropped = own.droppedSamples() - droppedBefore;
+    missedBefore += left;
+    droppedBefore += dropped;
+    synchronized (this) {
+      Instant time = Instant.now();
+      if (left > 0) {
+        String reason = "the robot or this computer was too slow for the period";
+        Item item = new Item(this, null, new Gap(lastTime, time, left, 0, reason));
+        if (!queue.offer(item)) {
+          missedBefore -= left;
+        }
+      }
+      if (dropped > 0) {
+        lose(dropped, "this computer was too slow for the samples");
+      }
+      if (gap != null && gap.lost > 0) {
+        boolean unused = closeGap(time);
+      }
+    }
+  }
+
+  /** Returns the value of the record of something that was queued, and counts it. */
+  public Struct take(Item item, SampleRecords records) {
+    sequence++;
+    lastMillis = Math.max(lastMillis, item.time().toEpochMilli());
+    Gap of = item.gap;
+    if (of != null) {
+      missed += of.missed();
+      return SampleRecords.of(name(), of, run, sequence);
+    }
+    return records.of(name(), Objects.requireNonNull(item.update), run, sequence);
+  }
+
+  @Override
+  public void close() throws IOException {
+    if (feed != null) {
+      feed.close();
+    }
+  }
+}

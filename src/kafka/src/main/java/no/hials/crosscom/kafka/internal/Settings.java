@@ -1,0 +1,197 @@
+package no.hials.crosscom.kafka.internal;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Plant;
+import org.apache.kafka.common.config.AbstractConfig;
+import org.apache.kafka.common.config.ConfigDef;
+import org.apache.kafka.common.config.ConfigDef.Importance;
+import org.apache.kafka.common.config.ConfigDef.Range;
+import org.apache.kafka.common.config.ConfigException;
+
+/** The properties of the connectors. */
+public final class Settings extends AbstractConfig {
+  /** The file with the robots. */
+  public static final String PLANT = "plant";
+
+  /** The pattern of the topics of samples. */
+  public static final String TOPIC = "topic";
+
+  /** The topic of the records that renew the lease. */
+  public static final String LEASE_TOPIC = "lease.topic";
+
+  /** The length of the lease. */
+  public static final String LEASE = "lease.ms";
+
+  /** The wait after a lost lease. */
+  public static final String LEASE_RECOVERY = "lease.recovery.ms";
+
+  /** The samples that may wait for Connect. */
+  public static final String BUFFER = "buffer.records";
+
+  /** Switches writing on. */
+  public static final String WRITES = "writes.enabled";
+
+  /** The age above which a record is not written. */
+  public static final String MAX_AGE = "max.age.ms";
+
+  /** The folder of the audit log. */
+  public static final String AUDIT = "audit.folder";
+
+  /** The brokers where the claims are verified. */
+  public static final String BOOTSTRAP = "bootstrap.servers";
+
+  /** The prefix of further settings of the client that verifies the claims. */
+  public static final String ADMIN_PREFIX = "admin.";
+
+  // from a connector to its tasks
+  private static final String TASK_PLANT = "task.plant";
+  private static final String TASK_ROBOTS = "task.robots";
+  private static final String TASK_NUMBER = "task.number";
+
+  /** The properties of the source connector. */
+  public static final ConfigDef SOURCE =
+      common()
+          .define(
+              TOPIC,
+              ConfigDef.Type.STRING,
+              "robots",
+              Importance.HIGH,
+              "The topic of the samples; {robot} in it is replaced by the name of the robot")
+          .define(
+              LEASE_TOPIC,
+              ConfigDef.Type.STRING,
+              "robots-leases",
+              Importance.MEDIUM,
+              "The topic of the records that renew the leases and show the figures of each task")
+          .define(
+              LEASE_RECOVERY,
+              ConfigDef.Type.LONG,
+              10_000,
+              Range.atLeast(0),
+              Importance.MEDIUM,
+              "How long a task that has lost its lease waits before it uses robots again, in ms")
+          .define(
+              BUFFER,
+              ConfigDef.Type.INT,
+              10_000,
+              Range.atLeast(1),
+              Importance.LOW,
+              "The number of samples that may wait until Connect takes them; more are counted as"
+                  + " lost");
+
+  /** The properties of the sink connector. */
+  public static final ConfigDef SINK =
+      common()
+          .define(
+              WRITES,
+              ConfigDef.Type.BOOLEAN,
+              false,
+              Importance.HIGH,
+              "Must be true: a write can move a machine")
+          .define(
+              BOOTSTRAP,
+              ConfigDef.Type.LIST,
+              Importance.HIGH,
+              "The brokers, where the connector verifies that an offset was committed before it"
+                  + " writes")
+          .define(
+              AUDIT,
+              ConfigDef.Type.STRING,
+              Importance.HIGH,
+              "The folder of audit.jsonl on each worker")
+          .define(
+              MAX_AGE,
+              ConfigDef.Type.LONG,
+              10_000,
+              Range.atLeast(1),
+              Importance.MEDIUM,
+              "A record older than this, by its timestamp, is not written, in ms");
+
+  private Settings(ConfigDef definition, Map<String, String> properties) {
+    super(definition, properties, false);
+  }
+
+  private static ConfigDef common() {
+    return new ConfigDef()
+        .define(
+            PLANT,
+            ConfigDef.Type.STRING,
+            Importance.HIGH,
+            "The TOML file with the robots and their variables, on each worker")
+        .define(
+            LEASE,
+            ConfigDef.Type.LONG,
+            3000,
+            Range.atLeast(500),
+            Importance.MEDIUM,
+            "How long a task uses robots after the last proof that it reaches the broker, in ms;"
+                + " at most session.timeout.ms - heartbeat.interval.ms - 500");
+  }
+
+  /**
+   * Reads properties.
+   *
+   * @param definition {@link #SOURCE} or {@link #SINK}
+   * @throws ConfigException if one is wrong
+   */
+  public static Settings of(ConfigDef definition, Map<String, String> properties) {
+    return new Settings(definition, properties);
+  }
+
+  /** Returns the text of the file of the plant, once it was found to be right. */
+  public static String plantText(String file) throws FileException {
+    String text = TomlTable.textOf(Path.of(file));
+    Plant unused = PlantText.read(file, text);
+    return text;
+  }
+
+  /** Returns the time of a property in ms. */
+  public Duration time(String key) {
+    return Duration.ofMillis(getLong(key));
+  }
+
+  /** Returns the properties of tasks. */
+  public List<Map<String, String>> tasks(String plantText, List<List<String>> robots) {
+    List<Map<String, String>> tasks = new ArrayList<>();
+    for (List<String> some : robots) {
+      Map<String, String> task = new HashMap<>(originalsStrings());
+      task.put(TASK_PLANT, plantText);
+      task.put(TASK_ROBOTS, String.join(",", some));
+      task.put(TASK_NUMBER, String.valueOf(tasks.size()));
+      tasks.add(task);
+    }
+    return tasks;
+  }
+
+  /** Returns the plant of a task. */
+  public Plant taskPlant() throws FileException {
+    return PlantText.read(getString(PLANT), own(TASK_PLANT));
+  }
+
+  /** Returns the names of the robots of a task. */
+  public List<String> taskRobots() {
+    return List.of(own(TASK_ROBOTS).split(","));
+  }
+
+  /** Returns the number of a task, from 0. */
+  public String taskNumber() {
+    return own(TASK_NUMBER);
+  }
+
+  private String own(String key) {
+    return Objects.requireNonNull(originalsStrings().get(key), key);
+  }
+
+  /** Returns the name of the connector. */
+  public String connector() {
+    return own("name");
+  }
+}

@@ -1,0 +1,112 @@
+package no.hials.crosscom.kafka.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.kafka.internal.RobotSource.Item;
+import no.hials.crosscom.kafka.internal.SampleRecords.Gap;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
+import org.apache.kafka.connect.data.Struct;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The samples of one robot and the gaps between them. */
+@Timeout(60)
+class RobotSourceTest {
+  private static final Map<String, ?> STORED = Map.of("run", 5L, "sequence", 70L, "time", 1000L);
+
+  @KukaController private MockServer robot;
+  private final SampleRecords records = new SampleRecords();
+
+  private PollPlan plan() throws Exception {
+    String text =
+        """
+        [robots.r1]
+        host = "%s"
+        port = %d
+        [groups.all]
+        variables = ["$OV_PRO"]
+        period = "10ms"
+        """
+            .formatted(robot.host(), robot.port());
+    return PlantText.read("plant.toml", text).plans().get(0);
+  }
+
+  private static Item next(BlockingQueue<Item> queue) throws InterruptedException {
+    return Objects.requireNonNull(queue.poll(30, TimeUnit.SECONDS));
+  }
+
+  @Test
+  void theFirstRecordTellsOfTheGapSinceTheStoredOffset() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(100);
+    try (RobotSource source = new RobotSource(plan(), queue, STORED)) {
+      source.open(() -> true);
+      Gap gap = Objects.requireNonNull(next(queue).gap());
+      assertThat(gap.from().toEpochMilli()).isEqualTo(1000);
+      assertThat(gap.missed()).isEqualTo((gap.to().toEpochMilli() - 1000) / 10);
+      assertThat(gap.reason()).contains("5/70");
+    }
+  }
+
+  @Test
+  void aRobotWithoutAnOffsetBeginsWithASample() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(100);
+    try (RobotSource source = new RobotSource(plan(), queue, null)) {
+      source.open(() -> true);
+      Struct value = source.take(next(queue), records);
+      assertThat(value.getMap("numbers")).isEqualTo(Map.of("value", 100.0));
+      assertThat(value.getMap("units")).isEqualTo(Map.of("value", "%"));
+      assertThat(value.getInt64("sequence")).isEqualTo(1);
+      assertThat(source.offset()).containsEntry("sequence", 1L);
+      value.validate();
+    }
+  }
+
+  @Test
+  void samplesThatFindTheBufferFullAreCountedAndToldOf() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(2);
+    try (RobotSource source = new RobotSource(plan(), queue, null)) {
+      source.open(() -> true);
+      while (source.lost() < 3) {
+        Thread.onSpinWait();
+      }
+      long told = 0;
+      for (Item item = next(queue); told == 0; item = next(queue)) {
+        Struct value = source.take(item, records);
+        Struct gap = value.getStruct("gap");
+        told = gap == null ? 0 : gap.getInt64("lost");
+      }
+      assertThat(told).isGreaterThanOrEqualTo(3);
+    }
+  }
+
+  @Test
+  void aLeaseThatIsLostAndHeldAgainIsAGap() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    AtomicBoolean held = new AtomicBoolean(true);
+    try (RobotSource source = new RobotSource(plan(), queue, null)) {
+      source.open(held::get);
+      Item before = next(queue);
+      held.set(false);
+      while (robot.clientCount() > 0) {
+        boolean unused = new CountDownLatch(1).await(5, TimeUnit.MILLISECONDS);
+      }
+      source.resumed("held again");
+      held.set(true);
+      Item item = next(queue);
+      while (item.gap() == null) {
+        item = next(queue);
+      }
+      assertThat(item.gap().reason()).isEqualTo("held again");
+      assertThat(item.gap().from()).isAfterOrEqualTo(before.time());
+    }
+  }
+}

@@ -1,0 +1,5 @@
+/** Tests of the parts of the connectors. */
+@NullMarked
+package no.hials.crosscom.kafka.internal;
+
+import org.jspecify.annotations.NullMarked;

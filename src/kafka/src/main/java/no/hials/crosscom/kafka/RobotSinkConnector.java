@@ -1,0 +1,85 @@
+package no.hials.crosscom.kafka;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import no.hials.crosscom.kafka.internal.PlantWatch;
+import no.hials.crosscom.kafka.internal.Settings;
+import no.hials.crosscom.kafka.internal.Versions;
+import org.apache.kafka.common.config.Config;
+import org.apache.kafka.common.config.ConfigDef;
+import org.apache.kafka.common.config.ConfigValue;
+import org.apache.kafka.connect.connector.Task;
+import org.apache.kafka.connect.sink.SinkConnector;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes variables that records ask for, if the configuration of the plant allows it. Each record
+ * is written at most once; one that fails, or whose outcome is unknown, goes to the dead-letter
+ * topic.
+ */
+public final class RobotSinkConnector extends SinkConnector {
+  private static final String DEAD_LETTERS = "errors.deadletterqueue.topic.name";
+  private static final String TOLERANCE = "errors.tolerance";
+
+  private @Nullable Settings settings;
+  private @Nullable PlantWatch plant;
+
+  /** Creates a connector that Connect starts. */
+  public RobotSinkConnector() {}
+
+  @Override
+  public String version() {
+    return Versions.own();
+  }
+
+  @Override
+  public ConfigDef config() {
+    return Settings.SINK;
+  }
+
+  @Override
+  public Config validate(Map<String, String> properties) {
+    Config config = PlantChecks.check(super.validate(properties));
+    for (ConfigValue value : config.configValues()) {
+      if (value.name().equals(Settings.WRITES)) {
+        if (!Boolean.TRUE.equals(value.value())) {
+          value.addErrorMessage("must be true: a write can move a machine");
+        } else if (properties.getOrDefault(DEAD_LETTERS, "").isBlank()
+            || !"all".equals(properties.get(TOLERANCE))) {
+          value.addErrorMessage("needs " + DEAD_LETTERS + ", and " + TOLERANCE + "=all");
+        }
+      }
+    }
+    return config;
+  }
+
+  @Override
+  public Class<? extends Task> taskClass() {
+    return RobotSinkTask.class;
+  }
+
+  @Override
+  public void start(Map<String, String> properties) {
+    Settings read = Settings.of(Settings.SINK, properties);
+    settings = read;
+    plant =
+        new PlantWatch(
+            read.getString(Settings.PLANT), () -> context().requestTaskReconfiguration());
+  }
+
+  @Override
+  public List<Map<String, String>> taskConfigs(int maxTasks) {
+    if (settings == null || plant == null) {
+      throw new IllegalStateException("not started");
+    }
+    return settings.tasks(plant.text(), Collections.nCopies(maxTasks, List.of()));
+  }
+
+  @Override
+  public void stop() {
+    if (plant != null) {
+      plant.close();
+    }
+  }
+}

@@ -1,0 +1,296 @@
+package no.hials.crosscom.kafka;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Writes;
+import no.hials.crosscom.kafka.internal.Claims;
+import no.hials.crosscom.kafka.internal.Command;
+import no.hials.crosscom.kafka.internal.Lease;
+import no.hials.crosscom.kafka.internal.Settings;
+import no.hials.crosscom.kafka.internal.Versions;
+import org.apache.kafka.clients.CommonClientConfigs;
+import org.apache.kafka.clients.admin.Admin;
+import org.apache.kafka.clients.consumer.OffsetAndMetadata;
+import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.errors.DataException;
+import org.apache.kafka.connect.sink.ErrantRecordReporter;
+import org.apache.kafka.connect.sink.SinkRecord;
+import org.apache.kafka.connect.sink.SinkTask;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Writes records in four steps: it holds them, lets Connect commit their offset with a claim, reads
+ * the claim back from the brokers, and then writes each record once, while its lease from that
+ * answer lasts. Nothing is written that was not claimed, and nothing that was claimed is written by
+ * another task.
+ */
+public final class RobotSinkTask extends SinkTask {
+  private static final Logger LOG = LoggerFactory.getLogger(RobotSinkTask.class);
+
+  /** The time until the task is called again while it waits for a commit. */
+  private static final long WAIT_MILLIS = 5;
+
+  /** After this time without a verified claim, it is committed again. */
+  private static final long REPEAT_NANOS = 5_000_000_000L;
+
+  private static final Duration PATIENCE = Duration.ofSeconds(2);
+  private static final Duration FIRST_PATIENCE = Duration.ofSeconds(30);
+  private static final Duration REPORT_PATIENCE = Duration.ofSeconds(30);
+
+  private final Map<String, RobotFeed> robots = new HashMap<>();
+  private @Nullable Settings settings;
+  private @Nullable Plant plant;
+  private @Nullable Writes writes;
+  private @Nullable Claims claims;
+  private @Nullable Lease lease;
+  private boolean requested;
+  private long requestedAt;
+
+  /** Creates a task that Connect starts. */
+  public RobotSinkTask() {}
+
+  /** The outcome of a write is unknown, because the task that claimed it ended in between. */
+  private static final class UnknownOutcomeException extends ConnectException {
+    private static final long serialVersionUID = 1L;
+
+    UnknownOutcomeException() {
+      super("outcome unknown: a task ended after it had claimed this record; it is not repeated");
+    }
+  }
+
+  @Override
+  public String version() {
+    return Versions.own();
+  }
+
+  @Override
+  public void start(Map<String, String> properties) {
+    Settings read = Settings.of(Settings.SINK, properties);
+    settings = read;
+    try {
+      plant = read.taskPlant();
+    } catch (FileException e) {
+      throw new ConnectException(e.getMessage(), e);
+    }
+    writes = new Writes(new AuditLog(Path.of(read.getString(Settings.AUDIT))));
+    lease = new Lease(read.time(Settings.LEASE));
+    Map<String, Object> admin = read.originalsWithPrefix(Settings.ADMIN_PREFIX);
+    admin.put(
+        CommonClientConfigs.BOOTSTRAP_SERVERS_CONFIG,
+        String.join(",", read.getList(Settings.BOOTSTRAP)));
+    String group =
+        properties.getOrDefault("consumer.override.group.id", "connect-" + read.connector());
+    claims = new Claims(Admin.create(admin), group, PATIENCE);
+    if (context.errantRecordReporter() == null) {
+      throw new ConnectException("the sink needs a dead-letter topic");
+    }
+  }
+
+  private Claims claims() {
+    if (claims == null) {
+      throw new IllegalStateException("not started");
+    }
+    return claims;
+  }
+
+  private boolean isHeld() {
+    return lease != null && lease.isHeld();
+  }
+
+  @Override
+  public void open(Collection<TopicPartition> partitions) {
+    claims().open(partitions, FIRST_PATIENCE).forEach(context::offset);
+  }
+
+  @Override
+  public void close(Collection<TopicPartition> partitions) {
+    long left = claims().close(partitions);
+    if (left > 0) {
+      LOG.warn("{} claimed records were not written: they will be reported as unknown", left);
+    }
+    requested = false;
+  }
+
+  @Override
+  public void put(Collection<SinkRecord> records) {
+    for (SinkRecord record : records) {
+      if (claims().isUnknown(record)) {
+        report(record, new UnknownOutcomeException());
+      } else {
+        claims().hold(record);
+      }
+    }
+    if (claims().hasClaimed() && isVerified()) {
+      writeClaimed();
+    }
+    if (!claims().hasClaimed()) {
+      requestClaim();
+    } else if (System.nanoTime() - requestedAt > REPEAT_NANOS) {
+      LOG.warn("the offsets are not committed yet: nothing is written");
+      requestCommit();
+    }
+    if (claims().isEmpty()) {
+      context.resume(claims().assigned());
+    } else {
+      context.pause(claims().assigned());
+      context.timeout(WAIT_MILLIS);
+    }
+  }
+
+  private void requestClaim() {
+    if (!claims().isEmpty() && !requested) {
+      requested = true;
+      requestCommit();
+    }
+  }
+
+  private void requestCommit() {
+    requestedAt = System.nanoTime();
+    context.requestCommit();
+  }
+
+  @Override
+  public Map<TopicPartition, OffsetAndMetadata> preCommit(
+      Map<TopicPartition, OffsetAndMetadata> currentOffsets) {
+    if (requested) {
+      requested = false;
+      claims().claim();
+      context.timeout(WAIT_MILLIS);
+    }
+    return claims().offsets(currentOffsets);
+  }
+
+  private boolean isVerified() {
+    return lease != null && claims().verify(lease);
+  }
+
+  private void writeClaimed() {
+    try {
+      for (SinkRecord next = claims().next(); next != null; next = claims().next()) {
+        if (!isHeld() && !isVerified()) {
+          return;
+        }
+        write(next);
+        claims().settle(next);
+      }
+      // so that the claim is not taken for one of a task that ended
+      requestCommit();
+    } finally {
+      closeRobots();
+    }
+  }
+
+  private void write(SinkRecord record) {
+    try {
+      Command command = Command.of(record);
+      checkAge(record);
+      Plant own = plant;
+      if (own == null || writes == null) {
+        throw new IllegalStateException("not started");
+      }
+      String who =
+          "kafka:"
+              + record.originalTopic()
+              + "-"
+              + record.originalKafkaPartition()
+              + "@"
+              + record.originalKafkaOffset();
+      writes.write(who, own, robot(own, command.robot()), command.variable(), command.value());
+    } catch (IOException | IllegalArgumentException | DataException e) {
+      report(record, e);
+    }
+  }
+
+  /** Refuses a record that has waited for long: nobody knows whether it is still meant. */
+  private void checkAge(SinkRecord record) {
+    long limit = settings == null ? 0 : settings.getLong(Settings.MAX_AGE);
+    Long time = record.timestamp();
+    if (time == null || System.currentTimeMillis() - time > limit) {
+      throw new DataException(
+          "not written: the record is older than " + limit + " ms (" + Settings.MAX_AGE + ")");
+    }
+  }
+
+  private RobotFeed robot(Plant own, String name) throws IOException {
+    RobotFeed open = robots.get(name);
+    if (open == null) {
+      PollPlan plan =
+          own.plans().stream()
+              .filter(one -> one.robot().name().equals(name))
+              .findFirst()
+              .orElseThrow(() -> new DataException("no robot is named " + name));
+      open =
+          RobotFeed.open(
+              plan,
+              (robot, more) ->
+                  RobotConnection.open(
+                      robot,
+                      more.andThen(
+                          cfg ->
+                              cfg.accessIf(this::isHeld)
+                                  .reconnect(false)
+                                  .keepAlive(Duration.ZERO))),
+              (feed, updates) -> {});
+      robots.put(name, open);
+    }
+    return open;
+  }
+
+  private void closeRobots() {
+    robots.forEach(
+        (name, robot) -> {
+          try {
+            robot.close();
+          } catch (IOException e) {
+            LOG.warn("{}: {}", name, e.getMessage());
+          }
+        });
+    robots.clear();
+  }
+
+  /** Puts a record on the dead-letter topic, and waits until it is there. */
+  private void report(SinkRecord record, Exception why) {
+    ErrantRecordReporter reporter = context.errantRecordReporter();
+    LOG.warn(
+        "{}-{}@{}: {}",
+        record.originalTopic(),
+        record.originalKafkaPartition(),
+        record.originalKafkaOffset(),
+        why.getMessage());
+    try {
+      reporter.report(record, why).get(REPORT_PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new ConnectException("interrupted", e);
+    } catch (ExecutionException | TimeoutException e) {
+      throw new ConnectException("the dead-letter topic did not take a record", e);
+    }
+  }
+
+  @Override
+  public void stop() {
+    if (lease != null) {
+      lease.end();
+    }
+    closeRobots();
+    if (claims != null) {
+      claims.close();
+    }
+  }
+}

@@ -1,0 +1,244 @@
+package no.hials.crosscom.kafka.internal;
+
+import java.time.Duration;
+import java.util.ArrayDeque;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.UUID;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import no.hials.crosscom.kafka.internal.Lease.Moment;
+import org.apache.kafka.clients.admin.Admin;
+import org.apache.kafka.clients.consumer.OffsetAndMetadata;
+import org.apache.kafka.common.TopicPartition;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.sink.SinkRecord;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The records of a sink task and what was committed of them. Before records are written, their
+ * offset is committed together with a claim, in the metadata of the offset: the owner, and the
+ * offset where the claim begins. Only the member of the group that has the partition can commit,
+ * and only the owner who reads its own claim back may write. A claim that is still there when a
+ * partition is assigned is of a task that ended in between: whether its records were written is
+ * unknown. Not thread-safe.
+ */
+public final class Claims implements AutoCloseable {
+  private static final Pattern METADATA = Pattern.compile("jopenshowvar (\\S+) from (\\d+)");
+
+  private final Admin admin;
+  private final String group;
+  private final Duration patience;
+  private final String owner = UUID.randomUUID().toString();
+  private final Map<TopicPartition, Partition> partitions = new LinkedHashMap<>();
+
+  /** A partition that the task has. */
+  private static final class Partition {
+    private final Deque<SinkRecord> held = new ArrayDeque<>();
+
+    /** The end of the claim; records below it may be written once the claim is verified. */
+    private long claimed;
+
+    /** The end of the records of which it is unknown whether they were written. */
+    private long unknown;
+
+    /** The first record that is not settled; the end if there is none. */
+    long first(long end) {
+      return held.isEmpty() ? end : held.getFirst().originalKafkaOffset();
+    }
+
+    boolean hasClaimed() {
+      return !held.isEmpty() && held.getFirst().originalKafkaOffset() < claimed;
+    }
+  }
+
+  /**
+   * Creates an object without partitions.
+   *
+   * @param admin a client of the brokers; closed with this object
+   * @param group the consumer group of the connector
+   * @param patience the longest wait for the answer to a verification
+   */
+  public Claims(Admin admin, String group, Duration patience) {
+    this.admin = admin;
+    this.group = group;
+    this.patience = patience;
+  }
+
+  private static TopicPartition of(SinkRecord record) {
+    return new TopicPartition(record.originalTopic(), record.originalKafkaPartition());
+  }
+
+  /**
+   * Adds partitions that were assigned.
+   *
+   * @param longest the longest wait for the answer of the brokers
+   * @return the offsets to go back to, of partitions with records whose outcome is unknown
+   * @throws ConnectException if the brokers do not answer
+   */
+  public Map<TopicPartition, Long> open(Collection<TopicPartition> added, Duration longest) {
+    Map<TopicPartition, Long> back = new HashMap<>();
+    Map<TopicPartition, OffsetAndMetadata> committed = committed(longest);
+    if (committed == null) {
+      throw new ConnectException("the brokers do not answer, so no claim could be read");
+    }
+    for (TopicPartition one : added) {
+      Partition partition = new Partition();
+      partitions.put(one, partition);
+      OffsetAndMetadata offset = committed.get(one);
+      Matcher claim = METADATA.matcher(offset == null ? "" : offset.metadata());
+      if (offset != null && claim.matches() && Long.parseLong(claim.group(2)) < offset.offset()) {
+        partition.unknown = offset.offset();
+        back.put(one, Long.parseLong(claim.group(2)));
+      }
+    }
+    return back;
+  }
+
+  /** Removes partitions, and returns the number of their records that were claimed, not written. */
+  public long close(Collection<TopicPartition> removed) {
+    long left = 0;
+    for (TopicPartition one : removed) {
+      Partition partition = partitions.remove(one);
+      if (partition != null) {
+        left +=
+            partition.held.stream()
+                .filter(record -> record.originalKafkaOffset() < partition.claimed)
+                .count();
+      }
+    }
+    return left;
+  }
+
+  /** Returns whether it is unknown if a record was written by another task. */
+  public boolean isUnknown(SinkRecord record) {
+    Partition partition = partitions.get(of(record));
+    return partition != null && record.originalKafkaOffset() < partition.unknown;
+  }
+
+  /** Holds a record until it is claimed and written. */
+  public void hold(SinkRecord record) {
+    Partition partition = partitions.get(of(record));
+    if (partition == null) {
+      throw new IllegalStateException(of(record) + " is not assigned");
+    }
+    partition.held.add(record);
+  }
+
+  /** Returns whether records wait for a claim or for being written. */
+  public boolean isEmpty() {
+    return partitions.values().stream().allMatch(one -> one.held.isEmpty());
+  }
+
+  /** Returns whether records are claimed and not written yet. */
+  public boolean hasClaimed() {
+    return partitions.values().stream().anyMatch(Partition::hasClaimed);
+  }
+
+  /** Claims all records that are held. The claim holds once it is committed and verified. */
+  public void claim() {
+    for (Partition partition : partitions.values()) {
+      if (!partition.held.isEmpty()) {
+        partition.claimed = partition.held.getLast().originalKafkaOffset() + 1;
+      }
+    }
+  }
+
+  /** Returns the offsets to commit, with the claims. */
+  public Map<TopicPartition, OffsetAndMetadata> offsets(
+      Map<TopicPartition, OffsetAndMetadata> current) {
+    Map<TopicPartition, OffsetAndMetadata> offsets = new HashMap<>();
+    current.forEach(
+        (one, position) -> {
+          Partition partition = partitions.get(one);
+          // what is unknown stays as it was committed, until it is reported
+          if (partition != null && position.offset() >= partition.unknown) {
+            offsets.put(one, offset(partition, position.offset()));
+          }
+        });
+    return offsets;
+  }
+
+  private OffsetAndMetadata offset(Partition partition, long position) {
+    long from = partition.first(position);
+    long to = partition.hasClaimed() ? partition.claimed : from;
+    return new OffsetAndMetadata(to, "jopenshowvar " + owner + " from " + from);
+  }
+
+  /**
+   * Asks the brokers whether the claims are committed, as those of this task.
+   *
+   * @param lease renewed if they are
+   */
+  public boolean verify(Lease lease) {
+    Moment moment = Moment.now();
+    Map<TopicPartition, OffsetAndMetadata> committed = committed(patience);
+    if (committed == null) {
+      return false;
+    }
+    for (Map.Entry<TopicPartition, Partition> one : partitions.entrySet()) {
+      Partition partition = one.getValue();
+      if (partition.hasClaimed()) {
+        OffsetAndMetadata offset = committed.get(one.getKey());
+        Matcher claim = METADATA.matcher(offset == null ? "" : offset.metadata());
+        if (offset == null
+            || offset.offset() != partition.claimed
+            || !claim.matches()
+            || !claim.group(1).equals(owner)) {
+          return false;
+        }
+      }
+    }
+    lease.renew(moment);
+    return true;
+  }
+
+  /** Returns the next record of a claim; null if all are settled. It stays until it is settled. */
+  public @Nullable SinkRecord next() {
+    for (Partition partition : partitions.values()) {
+      if (partition.hasClaimed()) {
+        return partition.held.getFirst();
+      }
+    }
+    return null;
+  }
+
+  /** Notes that a record was written, or is reported. */
+  public void settle(SinkRecord record) {
+    Partition partition = partitions.get(of(record));
+    if (partition != null) {
+      boolean unused = partition.held.remove(record);
+    }
+  }
+
+  /** Returns the assigned partitions. */
+  public TopicPartition[] assigned() {
+    return partitions.keySet().toArray(TopicPartition[]::new);
+  }
+
+  /** Returns the committed offsets of the group; null if the brokers do not answer. */
+  private @Nullable Map<TopicPartition, OffsetAndMetadata> committed(Duration longest) {
+    try {
+      return admin
+          .listConsumerGroupOffsets(group)
+          .partitionsToOffsetAndMetadata()
+          .get(longest.toMillis(), TimeUnit.MILLISECONDS);
+    } catch (ExecutionException | TimeoutException e) {
+      return null;
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return null;
+    }
+  }
+
+  @Override
+  public void close() {
+    admin.close(Duration.ZERO);
+  }
+}

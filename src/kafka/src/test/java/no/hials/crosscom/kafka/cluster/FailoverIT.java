@@ -1,0 +1,212 @@
+package no.hials.crosscom.kafka.cluster;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.apache.kafka.clients.consumer.ConsumerRecord;
+import org.apache.kafka.clients.consumer.ConsumerRecords;
+import org.apache.kafka.clients.consumer.KafkaConsumer;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Two workers, of which one is frozen, cut off or killed. */
+@Timeout(240)
+class FailoverIT {
+  private static final int ROBOTS = 20;
+  private static final ObjectMapper JSON = new ObjectMapper();
+
+  /** No assertion on the time that a failover takes, which is printed, but an end of waiting. */
+  private static final Duration PATIENCE = Duration.ofSeconds(60);
+
+  /** Longer than a lease: a robot that is read after this time has an owner again. */
+  private static final Duration AFTER_LEASE = Duration.ofSeconds(4);
+
+  @TempDir private Path folder;
+  private Robots robots;
+  private Broker broker;
+  private Relay relay1;
+  private Relay relay2;
+  private Worker one;
+  private Worker two;
+
+  @BeforeEach
+  void start() throws Exception {
+    robots =
+        new Robots(
+            folder,
+            ROBOTS,
+            """
+            [groups.motion]
+            variables = ["$POS_ACT", "$OV_PRO"]
+            period = "100ms"
+            """);
+    relay1 = new Relay();
+    relay2 = new Relay();
+    broker = new Broker(folder, relay1, relay2);
+    broker.createTopic("robots");
+    broker.createTopic("robots-leases");
+    one = new Worker(folder, "w1", relay1.port());
+    two = new Worker(folder, "w2", relay2.port());
+    one.awaitStart();
+    two.awaitStart();
+    one.put(
+        "robots",
+        Map.of(
+            "connector.class",
+            "no.hials.crosscom.kafka.RobotSourceConnector",
+            "tasks.max",
+            "4",
+            "plant",
+            robots.file().toString()));
+    awaitBothWorkersHaveTasks();
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    for (AutoCloseable part : new AutoCloseable[] {one, two, broker, relay1, relay2, robots}) {
+      try {
+        if (part != null) {
+          part.close();
+        }
+      } catch (Exception e) {
+        throw new IOException(e);
+      }
+    }
+  }
+
+  /** Waits until all tasks run, on two workers, and all robots are read. */
+  private void awaitBothWorkersHaveTasks() throws Exception {
+    long end = System.nanoTime() + PATIENCE.toNanos();
+    while (true) {
+      JsonNode status = status();
+      Set<String> workers = new HashSet<>();
+      int running = 0;
+      for (JsonNode task : status.path("tasks")) {
+        workers.add(task.path("worker_id").asText());
+        running += task.path("state").asText().equals("RUNNING") ? 1 : 0;
+      }
+      if (running == 4 && workers.size() == 2) {
+        break;
+      }
+      assertThat(System.nanoTime()).as(status.toString()).isLessThan(end);
+      two.await(100);
+    }
+    awaitAllRead(Instant.now());
+  }
+
+  private JsonNode status() throws IOException, InterruptedException {
+    try {
+      return JSON.readTree(two.get("/connectors/robots/status"));
+    } catch (IOException e) {
+      // there is no status before the first task
+      return JSON.createObjectNode();
+    }
+  }
+
+  private void awaitAllRead(Instant since) throws Exception {
+    long end = System.nanoTime() + PATIENCE.toNanos();
+    while (!robots.areReadSince(since)) {
+      assertThat(System.nanoTime()).isLessThan(end);
+      JavaProcess.pause(50);
+    }
+  }
+
+  /** Waits until all robots have an owner again after a fault, and prints the times. */
+  private void awaitOwners(String fault, Instant time) throws Exception {
+    awaitAllRead(time.plus(AFTER_LEASE));
+    System.out.printf(
+        "%s: all %d robots are back after %d ms, the longest time without an access is %d ms%n",
+        fault, ROBOTS, robots.back(time).toMillis(), robots.longestSilence(time).toMillis());
+  }
+
+  @Test
+  void aFrozenWorkerDoesNotReadItsRobotsWhenItGoesOn() throws Exception {
+    Instant fault = Instant.now();
+    one.signal("STOP");
+    awaitOwners("frozen (SIGSTOP)", fault);
+    awaitAllRead(fault.plusSeconds(30));
+    one.signal("CONT");
+    awaitBothWorkersHaveTasks();
+    robots.assertOneAtATime();
+    checkRecords();
+  }
+
+  @Test
+  void aWorkerThatIsCutOffFromTheBrokerStopsReading() throws Exception {
+    Instant fault = Instant.now();
+    relay1.cut();
+    awaitOwners("cut off", fault);
+    awaitAllRead(fault.plusSeconds(15));
+    relay1.restore();
+    awaitBothWorkersHaveTasks();
+    robots.assertOneAtATime();
+    checkRecords();
+  }
+
+  @Test
+  void theRobotsOfAKilledWorkerAreTakenOver() throws Exception {
+    Instant fault = Instant.now();
+    one.close();
+    awaitOwners("killed (SIGKILL)", fault);
+    robots.assertOneAtATime();
+    checkRecords();
+  }
+
+  /** The records of one run of a robot. */
+  private static final class Run {
+    private long next = 1;
+  }
+
+  /**
+   * Checks that the sequence of each run has no hole, and that each run after the first one of a
+   * robot begins with a gap.
+   */
+  private void checkRecords() throws Exception {
+    Map<String, Run> runs = new HashMap<>();
+    Map<String, Integer> runsOfRobots = new HashMap<>();
+    long gaps = 0;
+    long missed = 0;
+    long records = 0;
+    try (KafkaConsumer<String, String> consumer = broker.consumer("robots")) {
+      long end = consumer.endOffsets(consumer.assignment()).values().iterator().next();
+      while (records < end) {
+        ConsumerRecords<String, String> some = consumer.poll(Duration.ofSeconds(1));
+        for (ConsumerRecord<String, String> record : some) {
+          records++;
+          JsonNode value = JSON.readTree(record.value());
+          String robot = record.key();
+          Run run = runs.get(robot + "/" + value.path("run").asLong());
+          boolean isGap = value.path("quality").asText().equals("gap");
+          if (run == null) {
+            run = new Run();
+            runs.put(robot + "/" + value.path("run").asLong(), run);
+            int before = runsOfRobots.merge(robot, 1, Integer::sum) - 1;
+            assertThat(isGap).as(record.value()).isEqualTo(before > 0);
+          }
+          assertThat(value.path("sequence").asLong()).as(record.value()).isEqualTo(run.next++);
+          if (isGap) {
+            gaps++;
+            missed += value.path("gap").path("missed").asLong();
+          }
+        }
+      }
+    }
+    assertThat(gaps).isPositive();
+    assertThat(missed).isPositive();
+    System.out.printf(
+        "%d records of %d robots in %d runs, %d gaps with %d missed readings%n",
+        records, runsOfRobots.size(), runs.size(), gaps, missed);
+  }
+}

@@ -102,6 +102,33 @@ class PrometheusTest {
   }
 
   @Test
+  void showsTheTimesOfAccessesAndTheAgesOfValues() throws Exception {
+    String access = "jopenshowvar_robot_access_seconds_";
+
+    String metrics =
+        await(text -> text.contains("variable_age_seconds{robot=\"cell1\",variable=\"$OV_PRO\"}"));
+
+    double count = number(metrics, access + "count{robot=\"cell1\"} ");
+    assertThat(count).isPositive();
+    assertThat(number(metrics, access + "bucket{robot=\"cell1\",le=\"+Inf\"} ")).isEqualTo(count);
+    // an access that takes no time counts as 1.152 µs
+    assertThat(number(metrics, access + "sum{robot=\"cell1\"} "))
+        .isGreaterThanOrEqualTo(count * 1.152e-6)
+        .isLessThan(60);
+    assertThat(metrics)
+        .contains("jopenshowvar_robot_accesses_timed_out_total{robot=\"cell1\"} 0.0");
+  }
+
+  private static double number(String metrics, String series) {
+    return metrics
+        .lines()
+        .filter(line -> line.startsWith(series))
+        .mapToDouble(line -> Double.parseDouble(line.substring(series.length())))
+        .findFirst()
+        .orElseThrow(() -> new AssertionError("no " + series + " in\n" + metrics));
+  }
+
+  @Test
   void showsNoValueWhileTheRobotDoesNotAnswer() throws Exception {
     await(text -> text.contains("variable=\"$OV_PRO\"} 100.0"));
 

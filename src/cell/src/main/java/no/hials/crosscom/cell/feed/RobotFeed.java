@@ -203,6 +203,13 @@ public final class RobotFeed implements Closeable {
     return Optional.ofNullable(held.get(variable)).map(it -> it.value);
   }
 
+  /** Returns the time since the last reading of a variable; empty if there is none. */
+  public synchronized Optional<Duration> age(String variable) {
+    return Optional.ofNullable(held.get(variable))
+        .filter(it -> it.time != null)
+        .map(it -> Duration.ofNanos(System.nanoTime() - it.nanos));
+  }
+
   private void connectionChanged(ConnectionEvent event) {
     switch (event.kind()) {
       case CONNECTED, RECONNECTED -> connected = true;

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
@@ -36,6 +37,7 @@ public final class CommandQueue implements AutoCloseable {
     this.context = context;
     this.counter =
         context.health().counter("mqtt_commands", "Commands from topics, by result", "result");
+    List.of("done", "failed", "refused").forEach(counter::initLabelValues);
   }
 
   /** Counts and returns a refusal. */

@@ -3,10 +3,15 @@ package no.hials.crosscom.gateway.internal.broker;
 import io.prometheus.metrics.core.datapoints.CounterDataPoint;
 import io.prometheus.metrics.core.datapoints.GaugeDataPoint;
 import io.prometheus.metrics.core.metrics.Counter;
+import java.util.List;
 import no.hials.crosscom.gateway.Health;
 
 /** The figures of one connection to a broker. */
 final class SessionFigures {
+  /** Why messages are lost. All are published from the start, so that the first is an increase. */
+  private static final List<String> REASONS =
+      List.of("damaged", "disk", "error", "full", "queue", "refused", "unknown");
+
   private final String name;
   private final Counter dropped;
   final CounterDataPoint published;
@@ -22,6 +27,7 @@ final class SessionFigures {
     dropped =
         health.counter(
             "mqtt_messages_dropped", "Messages that were lost, by the reason", label, "reason");
+    REASONS.forEach(reason -> dropped.initLabelValues(name, reason));
     published =
         health
             .counter("mqtt_messages_published", "Messages that the broker has taken", label)

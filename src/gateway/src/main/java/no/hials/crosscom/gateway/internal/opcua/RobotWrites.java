@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
@@ -45,6 +46,7 @@ final class RobotWrites {
         context
             .health()
             .counter("opcua_writes", "Writes of OPC UA clients by their results", "result");
+    List.of("done", "failed", "refused", "unknown").forEach(results::initLabelValues);
   }
 
   /** Writes a value, waits for the result, and returns its status. */

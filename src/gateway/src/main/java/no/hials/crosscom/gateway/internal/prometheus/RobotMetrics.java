@@ -3,6 +3,7 @@ package no.hials.crosscom.gateway.internal.prometheus;
 import io.prometheus.metrics.model.snapshots.Labels;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.ClientStatistics;
 import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.cell.Units;
 import no.hials.crosscom.cell.feed.PlannedVariable;
@@ -51,22 +52,50 @@ final class RobotMetrics {
         "Readings that were lost in the gateway",
         labels,
         robot.droppedSamples());
-    families.gauge(
+    ClientStatistics statistics = robot.client().statistics();
+    families.histogram(
         "robot_access_seconds",
-        "Median time of an access",
+        "Times from a request to its answer",
         labels,
-        robot.client().statistics().accessTimes().percentile(50).toNanos() / 1e9);
+        statistics.accessTimes());
+    families.counter(
+        "robot_accesses_refused",
+        "Requests that the controller has refused",
+        labels,
+        statistics.refusals());
+    families.counter(
+        "robot_accesses_timed_out",
+        "Requests that were not answered in time",
+        labels,
+        statistics.timeouts());
+    families.counter(
+        "robot_accesses_lost",
+        "Requests without a valid answer for another reason",
+        labels,
+        statistics.losses());
+    families.counter(
+        "robot_reconnects", "Connections after the first one", labels, statistics.reconnects());
     updates.values().forEach(update -> add(update, families));
   }
 
   private void add(Update update, MetricFamilies families) {
     PlannedVariable variable = update.variable();
     boolean good = update.quality() == Quality.GOOD;
+    Labels labels = Labels.of("robot", robot.name(), "variable", variable.name());
     families.gauge(
         "variable_good",
         "Whether the last reading of a variable is a value of now",
-        Labels.of("robot", robot.name(), "variable", variable.name()),
+        labels,
         good ? 1 : 0);
+    robot
+        .age(variable.key())
+        .ifPresent(
+            age ->
+                families.gauge(
+                    "variable_age_seconds",
+                    "Time since a variable was last read",
+                    labels,
+                    age.toNanos() / 1e9));
     KrlValue value = update.value();
     if (good && value != null) {
       Leaf.of(variable.name(), value).forEach(leaf -> add(leaf, variable, families));

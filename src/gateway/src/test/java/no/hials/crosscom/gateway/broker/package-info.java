@@ -1,4 +1,6 @@
-/** Tests against Mosquitto and the Python client asyncua: {@code mvn -Pplant verify}. */
+/**
+ * Tests against Mosquitto, Prometheus and the Python client asyncua: {@code mvn -Pplant verify}.
+ */
 @NullMarked
 package no.hials.crosscom.gateway.broker;
 

@@ -141,6 +141,39 @@ class CommandsIT extends BrokerTest {
   }
 
   @Test
+  void neverExecutesACommandThatIsPublishedRetainedWithMqtt5() throws Exception {
+    startWithCommands();
+    try (Observer observer = observer(broker)) {
+      observer.publish(SET, "20", true);
+
+      observer.await(RESULT, "a retained command is not executed");
+    }
+    assertThat(robot.variables().get("$OV_PRO")).isEqualTo("10");
+  }
+
+  @Test
+  void executesACommandThatIsPublishedRetainedOnlyOnceWithMqtt3() throws Exception {
+    broker = Mosquitto.open(folder);
+    robot.variables().set("$OV_PRO", "10");
+    try (Cable cable = new Cable(broker.port());
+        Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      cable.connect();
+      String url = "url = \"tcp://127.0.0.1:" + cable.port() + "\"\n";
+      start(READ + "[mqtt]\ncommands = true\nversion = 3\nclient-id = \"gw\"\n" + url);
+      observer.await(VALUE, "\"value\":10");
+
+      // the broker passes it on unmarked: docs/reference/gateway.md#commands
+      observer.publish(SET, "20", true);
+      observer.await(RESULT, "done");
+
+      cable.cut();
+      cable.connect();
+      observer.await(RESULT, "a retained command is not executed");
+    }
+    assertThat(Files.readAllLines(folder.resolve("data/audit.jsonl"))).hasSize(1);
+  }
+
+  @Test
   void executesNothingThatWaitedInTheBroker() throws Exception {
     broker = Mosquitto.open(folder);
     robot.variables().set("$OV_PRO", "10");

@@ -39,6 +39,9 @@ final class MqttOutput implements Output {
     commands = settings.commands() ? new CommandQueue(context) : null;
     traffic = plainTraffic(settings, context, commands);
     LOG.info("MQTT: publishes to {}, topics {}/#", broker.url(), settings.topic());
+    if (commands != null && broker.version() == 3) {
+      LOG.warn("MQTT: with MQTT 3.1.1, a retained command may be executed; MQTT 5 has no such gap");
+    }
     session.start(traffic);
     SparkplugId id = settings.sparkplug();
     if (id == null) {

@@ -11,10 +11,12 @@ import java.util.Map;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.function.Predicate;
 import kafka.tools.StorageTool;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.clients.admin.NewTopic;
 import org.apache.kafka.clients.consumer.ConsumerConfig;
+import org.apache.kafka.clients.consumer.ConsumerRecord;
 import org.apache.kafka.clients.consumer.KafkaConsumer;
 import org.apache.kafka.clients.producer.KafkaProducer;
 import org.apache.kafka.common.TopicPartition;
@@ -123,6 +125,18 @@ final class Broker implements AutoCloseable {
             new StringDeserializer());
     consumer.assign(List.of(new TopicPartition(topic, 0)));
     return consumer;
+  }
+
+  /** Waits for a record, and returns its value. */
+  static String await(
+      KafkaConsumer<String, String> consumer, Predicate<ConsumerRecord<String, String>> wanted) {
+    while (true) {
+      for (ConsumerRecord<String, String> record : consumer.poll(Duration.ofSeconds(1))) {
+        if (wanted.test(record)) {
+          return record.value();
+        }
+      }
+    }
   }
 
   KafkaProducer<String, String> producer() {

@@ -15,14 +15,18 @@ import java.util.Set;
 import org.apache.kafka.clients.consumer.ConsumerRecord;
 import org.apache.kafka.clients.consumer.ConsumerRecords;
 import org.apache.kafka.clients.consumer.KafkaConsumer;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.MethodOrderer.OrderAnnotation;
+import org.junit.jupiter.api.Order;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Two workers, of which one is frozen, cut off or killed. */
-@Timeout(240)
+@Timeout(120)
+@TestMethodOrder(OrderAnnotation.class)
 class FailoverIT {
   private static final int ROBOTS = 20;
   private static final ObjectMapper JSON = new ObjectMapper();
@@ -33,16 +37,19 @@ class FailoverIT {
   /** Longer than a lease: a robot that is read after this time has an owner again. */
   private static final Duration AFTER_LEASE = Duration.ofSeconds(4);
 
-  @TempDir private Path folder;
-  private Robots robots;
-  private Broker broker;
-  private Relay relay1;
-  private Relay relay2;
-  private Worker one;
-  private Worker two;
+  /** Longer than offset.flush.interval.ms: without an offset, no gap can be told of. */
+  private static final Duration OFFSETS_STORED = Duration.ofSeconds(3);
 
-  @BeforeEach
-  void start() throws Exception {
+  @TempDir private static Path folder;
+  private static Robots robots;
+  private static Broker broker;
+  private static Relay relay1;
+  private static Relay relay2;
+  private static Worker one;
+  private static Worker two;
+
+  @BeforeAll
+  static void start() throws Exception {
     robots =
         new Robots(
             folder,
@@ -73,21 +80,13 @@ class FailoverIT {
     awaitBothWorkersHaveTasks();
   }
 
-  @AfterEach
-  void stop() throws IOException {
-    for (AutoCloseable part : new AutoCloseable[] {one, two, broker, relay1, relay2, robots}) {
-      try {
-        if (part != null) {
-          part.close();
-        }
-      } catch (Exception e) {
-        throw new IOException(e);
-      }
-    }
+  @AfterAll
+  static void stop() throws Exception {
+    Closing.all(one, two, broker, relay1, relay2, robots);
   }
 
   /** Waits until all tasks run, on two workers, and all robots are read. */
-  private void awaitBothWorkersHaveTasks() throws Exception {
+  private static void awaitBothWorkersHaveTasks() throws Exception {
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (true) {
       JsonNode status = status();
@@ -103,10 +102,10 @@ class FailoverIT {
       assertThat(System.nanoTime()).as(status.toString()).isLessThan(end);
       two.await(100);
     }
-    awaitAllRead(Instant.now());
+    awaitAllRead(Instant.now().plus(OFFSETS_STORED));
   }
 
-  private JsonNode status() throws IOException, InterruptedException {
+  private static JsonNode status() throws IOException, InterruptedException {
     try {
       return JSON.readTree(two.get("/connectors/robots/status"));
     } catch (IOException e) {
@@ -115,7 +114,7 @@ class FailoverIT {
     }
   }
 
-  private void awaitAllRead(Instant since) throws Exception {
+  private static void awaitAllRead(Instant since) throws Exception {
     long end = System.nanoTime() + PATIENCE.toNanos();
     while (!robots.areReadSince(since)) {
       assertThat(System.nanoTime()).isLessThan(end);
@@ -124,7 +123,7 @@ class FailoverIT {
   }
 
   /** Waits until all robots have an owner again after a fault, and prints the times. */
-  private void awaitOwners(String fault, Instant time) throws Exception {
+  private static void awaitOwners(String fault, Instant time) throws Exception {
     awaitAllRead(time.plus(AFTER_LEASE));
     System.out.printf(
         "%s: all %d robots are back after %d ms, the longest time without an access is %d ms%n",
@@ -132,6 +131,7 @@ class FailoverIT {
   }
 
   @Test
+  @Order(1)
   void aFrozenWorkerDoesNotReadItsRobotsWhenItGoesOn() throws Exception {
     Instant fault = Instant.now();
     one.signal("STOP");
@@ -144,6 +144,7 @@ class FailoverIT {
   }
 
   @Test
+  @Order(2)
   void aWorkerThatIsCutOffFromTheBrokerStopsReading() throws Exception {
     Instant fault = Instant.now();
     relay1.cut();
@@ -156,6 +157,7 @@ class FailoverIT {
   }
 
   @Test
+  @Order(3)
   void theRobotsOfAKilledWorkerAreTakenOver() throws Exception {
     Instant fault = Instant.now();
     one.close();
@@ -173,7 +175,7 @@ class FailoverIT {
    * Checks that the sequence of each run has no hole, and that each run after the first one of a
    * robot begins with a gap.
    */
-  private void checkRecords() throws Exception {
+  private static void checkRecords() throws Exception {
     Map<String, Run> runs = new HashMap<>();
     Map<String, Integer> runsOfRobots = new HashMap<>();
     long gaps = 0;

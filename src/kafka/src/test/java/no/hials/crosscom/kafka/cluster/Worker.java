@@ -96,6 +96,11 @@ final class Worker implements AutoCloseable {
             .build());
   }
 
+  void delete(String connector) throws IOException, InterruptedException {
+    HttpRequest request = HttpRequest.newBuilder(uri("/connectors/" + connector)).DELETE().build();
+    HttpResponse<String> unused = HTTP.send(request, BodyHandlers.ofString());
+  }
+
   private URI uri(String path) {
     return URI.create("http://127.0.0.1:" + port + path);
   }

@@ -188,7 +188,7 @@ public final class RobotSourceTask extends SourceTask {
     }
   }
 
-  /** Waits until Connect would have taken the robots away from a worker that is no member. */
+  /** Waits until Connect would have taken the robots away from a worker outside the group. */
   private void follow(Duration wait, Moment now) {
     if (!recovering) {
       recovering = true;

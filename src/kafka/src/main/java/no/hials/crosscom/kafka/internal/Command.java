@@ -19,7 +19,7 @@ public record Command(String robot, String variable, String value) {
    * Reads a record: a structure or an object with {@code robot}, {@code variable} and {@code
    * value}. The key of the record can be the robot instead.
    *
-   * @throws DataException if it is none
+   * @throws DataException if something is missing
    */
   public static Command of(SinkRecord record) {
     Object robot = field(record.value(), "robot");

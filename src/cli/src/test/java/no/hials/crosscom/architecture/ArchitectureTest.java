@@ -87,6 +87,7 @@ class ArchitectureTest {
           entry("mock", "simulator lang kinematics protocol"),
           entry("cell", "client lang protocol"),
           entry("gateway", "cell client mock simulator protocol"),
+          entry("kafka", "cell client protocol"),
           entry("lab", "cell control client mock simulator kinematics protocol"),
           entry("web", "cell control client mock simulator lang kinematics protocol"),
           entry("cli", "lab web cell control client mock simulator lang kinematics protocol"));

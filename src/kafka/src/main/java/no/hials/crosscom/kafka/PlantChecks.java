@@ -1,7 +1,7 @@
 package no.hials.crosscom.kafka;
 
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.kafka.internal.Settings;
+import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import org.apache.kafka.common.config.Config;
 import org.apache.kafka.common.config.ConfigValue;
 
@@ -12,9 +12,9 @@ final class PlantChecks {
   /** Adds what is wrong with the file to the errors of its property. */
   static Config check(Config config) {
     for (ConfigValue value : config.configValues()) {
-      if (value.name().equals(Settings.PLANT) && value.value() instanceof String file) {
+      if (value.name().equals(ConnectorSettings.PLANT) && value.value() instanceof String file) {
         try {
-          String unused = Settings.plantText(file);
+          String unused = ConnectorSettings.plantText(file);
         } catch (FileException e) {
           value.addErrorMessage(e.getMessage());
         }

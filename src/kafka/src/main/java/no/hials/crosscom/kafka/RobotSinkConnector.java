@@ -3,9 +3,9 @@ package no.hials.crosscom.kafka;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import no.hials.crosscom.kafka.internal.ConnectorSettings;
+import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.PlantWatch;
-import no.hials.crosscom.kafka.internal.Settings;
-import no.hials.crosscom.kafka.internal.Versions;
 import org.apache.kafka.common.config.Config;
 import org.apache.kafka.common.config.ConfigDef;
 import org.apache.kafka.common.config.ConfigValue;
@@ -22,7 +22,7 @@ public final class RobotSinkConnector extends SinkConnector {
   private static final String DEAD_LETTERS = "errors.deadletterqueue.topic.name";
   private static final String TOLERANCE = "errors.tolerance";
 
-  private @Nullable Settings settings;
+  private @Nullable ConnectorSettings settings;
   private @Nullable PlantWatch plant;
 
   /** Creates a connector that Connect starts. */
@@ -30,19 +30,19 @@ public final class RobotSinkConnector extends SinkConnector {
 
   @Override
   public String version() {
-    return Versions.own();
+    return ConnectorVersion.own();
   }
 
   @Override
   public ConfigDef config() {
-    return Settings.SINK;
+    return ConnectorSettings.SINK;
   }
 
   @Override
   public Config validate(Map<String, String> properties) {
     Config config = PlantChecks.check(super.validate(properties));
     for (ConfigValue value : config.configValues()) {
-      if (value.name().equals(Settings.WRITES)) {
+      if (value.name().equals(ConnectorSettings.WRITES)) {
         if (!Boolean.TRUE.equals(value.value())) {
           value.addErrorMessage("must be true: a write can move a machine");
         } else if (properties.getOrDefault(DEAD_LETTERS, "").isBlank()
@@ -61,11 +61,11 @@ public final class RobotSinkConnector extends SinkConnector {
 
   @Override
   public void start(Map<String, String> properties) {
-    Settings read = Settings.of(Settings.SINK, properties);
+    ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SINK, properties);
     settings = read;
     plant =
         new PlantWatch(
-            read.getString(Settings.PLANT), () -> context().requestTaskReconfiguration());
+            read.getString(ConnectorSettings.PLANT), () -> context().requestTaskReconfiguration());
   }
 
   @Override

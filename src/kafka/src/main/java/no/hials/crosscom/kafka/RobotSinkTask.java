@@ -17,10 +17,10 @@ import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Writes;
 import no.hials.crosscom.kafka.internal.Claims;
-import no.hials.crosscom.kafka.internal.Command;
+import no.hials.crosscom.kafka.internal.ConnectorSettings;
+import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.Lease;
-import no.hials.crosscom.kafka.internal.Settings;
-import no.hials.crosscom.kafka.internal.Versions;
+import no.hials.crosscom.kafka.internal.SinkCommand;
 import org.apache.kafka.clients.CommonClientConfigs;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
@@ -54,7 +54,7 @@ public final class RobotSinkTask extends SinkTask {
   private static final Duration REPORT_PATIENCE = Duration.ofSeconds(30);
 
   private final Map<String, RobotFeed> robots = new HashMap<>();
-  private @Nullable Settings settings;
+  private @Nullable ConnectorSettings settings;
   private @Nullable Plant plant;
   private @Nullable Writes writes;
   private @Nullable Claims claims;
@@ -76,24 +76,24 @@ public final class RobotSinkTask extends SinkTask {
 
   @Override
   public String version() {
-    return Versions.own();
+    return ConnectorVersion.own();
   }
 
   @Override
   public void start(Map<String, String> properties) {
-    Settings read = Settings.of(Settings.SINK, properties);
+    ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SINK, properties);
     settings = read;
     try {
       plant = read.taskPlant();
     } catch (FileException e) {
       throw new ConnectException(e.getMessage(), e);
     }
-    writes = new Writes(new AuditLog(Path.of(read.getString(Settings.AUDIT))));
-    lease = new Lease(read.time(Settings.LEASE));
-    Map<String, Object> admin = read.originalsWithPrefix(Settings.ADMIN_PREFIX);
+    writes = new Writes(new AuditLog(Path.of(read.getString(ConnectorSettings.AUDIT))));
+    lease = new Lease(read.time(ConnectorSettings.LEASE));
+    Map<String, Object> admin = read.originalsWithPrefix(ConnectorSettings.ADMIN_PREFIX);
     admin.put(
         CommonClientConfigs.BOOTSTRAP_SERVERS_CONFIG,
-        String.join(",", read.getList(Settings.BOOTSTRAP)));
+        String.join(",", read.getList(ConnectorSettings.BOOTSTRAP)));
     String group =
         properties.getOrDefault("consumer.override.group.id", "connect-" + read.connector());
     claims = new Claims(Admin.create(admin), group, PATIENCE);
@@ -198,7 +198,7 @@ public final class RobotSinkTask extends SinkTask {
 
   private void write(SinkRecord record) {
     try {
-      Command command = Command.of(record);
+      SinkCommand command = SinkCommand.of(record);
       checkAge(record);
       Plant own = plant;
       if (own == null || writes == null) {
@@ -219,11 +219,15 @@ public final class RobotSinkTask extends SinkTask {
 
   /** Refuses a record that has waited for long: nobody knows whether it is still meant. */
   private void checkAge(SinkRecord record) {
-    long limit = settings == null ? 0 : settings.getLong(Settings.MAX_AGE);
+    long limit = settings == null ? 0 : settings.getLong(ConnectorSettings.MAX_AGE);
     Long time = record.timestamp();
     if (time == null || System.currentTimeMillis() - time > limit) {
       throw new DataException(
-          "not written: the record is older than " + limit + " ms (" + Settings.MAX_AGE + ")");
+          "not written: the record is older than "
+              + limit
+              + " ms ("
+              + ConnectorSettings.MAX_AGE
+              + ")");
     }
   }
 

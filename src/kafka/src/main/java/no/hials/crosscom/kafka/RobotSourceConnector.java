@@ -3,10 +3,10 @@ package no.hials.crosscom.kafka;
 import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.kafka.internal.ConnectorSettings;
+import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.PlantText;
 import no.hials.crosscom.kafka.internal.PlantWatch;
-import no.hials.crosscom.kafka.internal.Settings;
-import no.hials.crosscom.kafka.internal.Versions;
 import org.apache.kafka.common.config.Config;
 import org.apache.kafka.common.config.ConfigDef;
 import org.apache.kafka.connect.connector.Task;
@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads the robots of a plant into topics. The robots are spread over its tasks. */
 public final class RobotSourceConnector extends SourceConnector {
-  private @Nullable Settings settings;
+  private @Nullable ConnectorSettings settings;
   private @Nullable PlantWatch plant;
 
   /** Creates a connector that Connect starts. */
@@ -26,12 +26,12 @@ public final class RobotSourceConnector extends SourceConnector {
 
   @Override
   public String version() {
-    return Versions.own();
+    return ConnectorVersion.own();
   }
 
   @Override
   public ConfigDef config() {
-    return Settings.SOURCE;
+    return ConnectorSettings.SOURCE;
   }
 
   @Override
@@ -51,11 +51,11 @@ public final class RobotSourceConnector extends SourceConnector {
 
   @Override
   public void start(Map<String, String> properties) {
-    Settings read = Settings.of(Settings.SOURCE, properties);
+    ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SOURCE, properties);
     settings = read;
     plant =
         new PlantWatch(
-            read.getString(Settings.PLANT), () -> context().requestTaskReconfiguration());
+            read.getString(ConnectorSettings.PLANT), () -> context().requestTaskReconfiguration());
   }
 
   @Override
@@ -66,7 +66,10 @@ public final class RobotSourceConnector extends SourceConnector {
     String text = plant.text();
     try {
       List<String> robots =
-          PlantText.read(settings.getString(Settings.PLANT), text).robots().keySet().stream()
+          PlantText.read(settings.getString(ConnectorSettings.PLANT), text)
+              .robots()
+              .keySet()
+              .stream()
               .sorted()
               .toList();
       int groups = Math.min(maxTasks, robots.size());

@@ -12,13 +12,13 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.kafka.internal.ConnectorSettings;
+import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.Lease;
 import no.hials.crosscom.kafka.internal.Lease.Moment;
 import no.hials.crosscom.kafka.internal.RobotSource;
 import no.hials.crosscom.kafka.internal.RobotSource.Item;
 import no.hials.crosscom.kafka.internal.SampleRecords;
-import no.hials.crosscom.kafka.internal.Settings;
-import no.hials.crosscom.kafka.internal.Versions;
 import org.apache.kafka.clients.producer.RecordMetadata;
 import org.apache.kafka.connect.data.Schema;
 import org.apache.kafka.connect.data.Struct;
@@ -46,7 +46,7 @@ public final class RobotSourceTask extends SourceTask {
 
   private final List<RobotSource> robots = new ArrayList<>();
   private final SampleRecords values = new SampleRecords();
-  private @Nullable Settings settings;
+  private @Nullable ConnectorSettings settings;
   private @Nullable Lease lease;
   private @Nullable BlockingQueue<Item> queue;
 
@@ -101,15 +101,15 @@ public final class RobotSourceTask extends SourceTask {
 
   @Override
   public String version() {
-    return Versions.own();
+    return ConnectorVersion.own();
   }
 
   @Override
   public void start(Map<String, String> properties) {
-    Settings read = Settings.of(Settings.SOURCE, properties);
+    ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SOURCE, properties);
     settings = read;
-    lease = new Lease(read.time(Settings.LEASE));
-    BlockingQueue<Item> waiting = new ArrayBlockingQueue<>(read.getInt(Settings.BUFFER));
+    lease = new Lease(read.time(ConnectorSettings.LEASE));
+    BlockingQueue<Item> waiting = new ArrayBlockingQueue<>(read.getInt(ConnectorSettings.BUFFER));
     queue = waiting;
     lastBeat = System.nanoTime() - beatNanos(read);
     List<String> names = read.taskRobots();
@@ -134,13 +134,13 @@ public final class RobotSourceTask extends SourceTask {
     LOG.info("{} robots: {}", names.size(), String.join(", ", names));
   }
 
-  private static long beatNanos(Settings settings) {
-    return settings.time(Settings.LEASE).dividedBy(BEATS).toNanos();
+  private static long beatNanos(ConnectorSettings settings) {
+    return settings.time(ConnectorSettings.LEASE).dividedBy(BEATS).toNanos();
   }
 
   @Override
   public @Nullable List<SourceRecord> poll() throws InterruptedException {
-    Settings own = settings;
+    ConnectorSettings own = settings;
     BlockingQueue<Item> waiting = queue;
     if (own == null || waiting == null) {
       throw new IllegalStateException("not started");
@@ -170,13 +170,13 @@ public final class RobotSourceTask extends SourceTask {
     return lease != null && lease.isHeld();
   }
 
-  private void followLease(Settings own, Moment now) {
+  private void followLease(ConnectorSettings own, Moment now) {
     if (!isHeld()) {
       if (allowed) {
         allowed = false;
         LOG.warn(
             "no proof for {} ms that the broker is reached: the robots are not used",
-            own.getLong(Settings.LEASE));
+            own.getLong(ConnectorSettings.LEASE));
       }
       recovering = false;
     } else if (!opened) {
@@ -184,7 +184,7 @@ public final class RobotSourceTask extends SourceTask {
       opened = true;
       robots.forEach(this::open);
     } else if (!allowed) {
-      follow(own.time(Settings.LEASE_RECOVERY), now);
+      follow(own.time(ConnectorSettings.LEASE_RECOVERY), now);
     }
   }
 
@@ -209,20 +209,20 @@ public final class RobotSourceTask extends SourceTask {
     }
   }
 
-  private SourceRecord record(Settings own, Item item, Moment moment) {
+  private SourceRecord record(ConnectorSettings own, Item item, Moment moment) {
     RobotSource robot = item.robot();
     Struct value = robot.take(item, values);
     return new Given(
         robot.partition(),
         robot.offset(),
-        own.getString(Settings.TOPIC).replace("{robot}", robot.name()),
+        own.getString(ConnectorSettings.TOPIC).replace("{robot}", robot.name()),
         robot.name(),
         value,
         item.time(),
         moment);
   }
 
-  private SourceRecord beat(Settings own, Moment moment) {
+  private SourceRecord beat(ConnectorSettings own, Moment moment) {
     Instant time = Instant.ofEpochMilli(moment.millis());
     Struct value =
         new Struct(SampleRecords.LEASE_SCHEMA)
@@ -238,7 +238,7 @@ public final class RobotSourceTask extends SourceTask {
     return new Given(
         Map.of("task", own.taskNumber()),
         Map.of("time", moment.millis()),
-        own.getString(Settings.LEASE_TOPIC),
+        own.getString(ConnectorSettings.LEASE_TOPIC),
         own.connector() + "-" + own.taskNumber(),
         value,
         time,

@@ -36,7 +36,7 @@ public final class PlantWatch implements AutoCloseable {
     this.file = file;
     this.changed = changed;
     try {
-      text = Settings.plantText(file);
+      text = ConnectorSettings.plantText(file);
     } catch (FileException e) {
       timer.shutdownNow();
       throw new ConnectException(e.getMessage(), e);
@@ -47,7 +47,7 @@ public final class PlantWatch implements AutoCloseable {
 
   private void look() {
     try {
-      String now = Settings.plantText(file);
+      String now = ConnectorSettings.plantText(file);
       complaint = "";
       if (!now.equals(text)) {
         text = now;

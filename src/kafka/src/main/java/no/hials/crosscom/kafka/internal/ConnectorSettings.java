@@ -17,7 +17,7 @@ import org.apache.kafka.common.config.ConfigDef.Range;
 import org.apache.kafka.common.config.ConfigException;
 
 /** The properties of the connectors. */
-public final class Settings extends AbstractConfig {
+public final class ConnectorSettings extends AbstractConfig {
   /** The file with the robots. */
   public static final String PLANT = "plant";
 
@@ -115,7 +115,7 @@ public final class Settings extends AbstractConfig {
               Importance.MEDIUM,
               "A record older than this, by its timestamp, is not written, in ms");
 
-  private Settings(ConfigDef definition, Map<String, String> properties) {
+  private ConnectorSettings(ConfigDef definition, Map<String, String> properties) {
     super(definition, properties, false);
   }
 
@@ -142,8 +142,8 @@ public final class Settings extends AbstractConfig {
    * @param definition {@link #SOURCE} or {@link #SINK}
    * @throws ConfigException if one is wrong
    */
-  public static Settings of(ConfigDef definition, Map<String, String> properties) {
-    return new Settings(definition, properties);
+  public static ConnectorSettings of(ConfigDef definition, Map<String, String> properties) {
+    return new ConnectorSettings(definition, properties);
   }
 
   /** Returns the text of the file of the plant, once it was found to be right. */

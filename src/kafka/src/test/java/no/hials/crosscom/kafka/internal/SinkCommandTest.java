@@ -14,7 +14,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The records that ask for a write. */
-class CommandTest {
+class SinkCommandTest {
   private static SinkRecord record(Object key, Object value) {
     return new SinkRecord("commands", 0, null, key, null, value, 7);
   }
@@ -22,7 +22,8 @@ class CommandTest {
   @Test
   void readsAnObjectWithoutASchema() {
     Map<String, ?> value = Map.of("robot", "r1", "variable", "$OV_PRO", "value", 40L);
-    assertThat(Command.of(record(null, value))).isEqualTo(new Command("r1", "$OV_PRO", "40"));
+    assertThat(SinkCommand.of(record(null, value)))
+        .isEqualTo(new SinkCommand("r1", "$OV_PRO", "40"));
   }
 
   @Test
@@ -33,20 +34,21 @@ class CommandTest {
             .field("value", Schema.BOOLEAN_SCHEMA)
             .build();
     Struct value = new Struct(schema).put("variable", "$OUT[4]").put("value", true);
-    assertThat(Command.of(record("r2", value))).isEqualTo(new Command("r2", "$OUT[4]", "TRUE"));
+    assertThat(SinkCommand.of(record("r2", value)))
+        .isEqualTo(new SinkCommand("r2", "$OUT[4]", "TRUE"));
   }
 
   @ParameterizedTest
   @CsvSource({"variable,$OV_PRO", "value,5", "robot,r1"})
   void refusesARecordThatLacksSomething(String field, String content) {
-    assertThatThrownBy(() -> Command.of(record(null, Map.of(field, content))))
+    assertThatThrownBy(() -> SinkCommand.of(record(null, Map.of(field, content))))
         .isInstanceOf(DataException.class);
   }
 
   @Test
   void refusesAValueThatIsNoScalar() {
     Map<String, ?> value = Map.of("robot", "r1", "variable", "X", "value", Map.of());
-    assertThatThrownBy(() -> Command.of(record(null, value)))
+    assertThatThrownBy(() -> SinkCommand.of(record(null, value)))
         .isInstanceOf(DataException.class)
         .hasMessageContaining("a number, a text or a truth value");
   }

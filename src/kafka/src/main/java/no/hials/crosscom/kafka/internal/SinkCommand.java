@@ -14,14 +14,14 @@ import org.jspecify.annotations.Nullable;
  * @param variable the variable or field
  * @param value the value as KRL writes it
  */
-public record Command(String robot, String variable, String value) {
+public record SinkCommand(String robot, String variable, String value) {
   /**
    * Reads a record: a structure or an object with {@code robot}, {@code variable} and {@code
    * value}. The key of the record can be the robot instead.
    *
    * @throws DataException if something is missing
    */
-  public static Command of(SinkRecord record) {
+  public static SinkCommand of(SinkRecord record) {
     Object robot = field(record.value(), "robot");
     Object variable = field(record.value(), "variable");
     Object value = field(record.value(), "value");
@@ -32,7 +32,7 @@ public record Command(String robot, String variable, String value) {
       throw new DataException(
           "must have the texts robot (or the key) and variable, and value; is " + record.value());
     }
-    return new Command(name, target, text(value));
+    return new SinkCommand(name, target, text(value));
   }
 
   private static @Nullable Object field(@Nullable Object value, String name) {

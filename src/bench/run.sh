@@ -9,6 +9,7 @@
 #   src/bench/run.sh jmh ...  JMH, with its options
 #   src/bench/run.sh robots [ROBOTS [SILENT [SECONDS]]]  many robots watched by one process
 #   src/bench/run.sh viewers [VIEWERS [SECONDS [ROWS]]]    what the web page's server costs
+#   src/bench/run.sh gateway [ROBOTS [SECONDS]]    robots into an MQTT broker, by one process
 #   src/bench/run.sh jogcuts [CUTS]    cut connections of a page that jogs, 100 times
 #
 # Two more look for defects instead of measuring; they exit with 1 if they find one:
@@ -18,7 +19,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
-mvn -B -q -pl src/bench -am -Dmaven.test.skip=true package
+mvn -B -q -pl src/bench,src/gateway -am -Dmaven.test.skip=true package
 
 one_cpu=()
 if command -v taskset >/dev/null; then
@@ -57,6 +58,7 @@ case ${1:-all} in
   jmh) jmh "${@:2}" ;;
   robots) "${run[@]:0:1}" -Xmx96m -XX:+UseSerialGC "${run[@]:1}" $ours.ManyRobots "${@:2}" ;;
   viewers) "${run[@]:0:1}" -Xmx96m -XX:+UseSerialGC "${run[@]:1}" $ours.PageViewers "${@:2}" ;;
+  gateway) "${run[@]}" $ours.GatewayLoad src/gateway/target/gateway/jopenshowvar-gateway.jar "${@:2}" ;;
   jogcuts) "${run[@]}" $ours.JogCuts "${@:2}" ;;
   soak) "${run[@]}" $ours.Soak "${@:2}" ;;
   mutation) "${run[@]}" $ours.MutationRun "${@:2}" ;;
@@ -73,7 +75,7 @@ case ${1:-all} in
     uptime
     ;;
   *)
-    echo "usage: $0 [all|ratio|strace|load|jmh|robots|viewers|jogcuts|soak|mutation]" >&2
+    echo "usage: $0 [all|ratio|strace|load|jmh|robots|viewers|gateway|jogcuts|soak|mutation]" >&2
     exit 64
     ;;
 esac

@@ -14,13 +14,31 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import no.hials.crosscom.protocol.Codec;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.Tail;
+import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
 
 /**
  * Plays many KUKAVARPROXYs in one thread: answers each read after 5 ms on one port, and never on
  * another. It runs in a process of its own, so that it does not count.
  */
 public final class RobotsStandIn {
+  /** The number of fields of a structure whose name begins with {@code CELL_}. */
+  static final int FIELDS = 15;
+
+  private static final byte[] STRUCTURE =
+      Codec.encode(
+          new ValueResponse(
+              1,
+              MessageType.READ,
+              IntStream.rangeClosed(1, FIELDS)
+                  .mapToObj(i -> "V" + i + " " + i + "23.456787")
+                  .collect(Collectors.joining(", ", "{CELL_TYPE: ", "}")),
+              Tail.SUCCESS));
+
   private static final long DELAY_NANOS = TimeUnit.MILLISECONDS.toNanos(5);
 
   /** A connection, and its request under way. */
@@ -134,14 +152,19 @@ public final class RobotsStandIn {
       robot.request.clear();
       if (!robot.silent) {
         String text = new String(bytes, 0, have, StandardCharsets.ISO_8859_1);
-        byte[] answer =
-            (text.contains("$AXIS_ACT") ? Operation.READ_E6AXIS : Operation.READ_INT).answer();
-        answer = answer.clone();
+        byte[] answer = answerTo(text).clone();
         answer[0] = bytes[0];
         answer[1] = bytes[1];
         waiting.add(new Waiting(robot, ByteBuffer.wrap(answer), System.nanoTime() + DELAY_NANOS));
       }
     }
+  }
+
+  private static byte[] answerTo(String request) {
+    if (request.contains("CELL_")) {
+      return STRUCTURE;
+    }
+    return (request.contains("$AXIS_ACT") ? Operation.READ_E6AXIS : Operation.READ_INT).answer();
   }
 
   private void answerDue() {

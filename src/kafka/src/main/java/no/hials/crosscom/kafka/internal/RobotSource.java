@@ -68,7 +68,7 @@ public final class RobotSource implements Closeable {
   /** A gap that the next sample ends. */
   private static final class OpenGap {
     private final Instant from;
-    private String reason;
+    private final String reason;
     private boolean unread;
     private long lost;
 
@@ -212,8 +212,6 @@ public final class RobotSource implements Closeable {
     synchronized (this) {
       if (gap == null) {
         gap = new OpenGap(lastTime, reason);
-      } else {
-        gap.reason += "; " + reason;
       }
       gap.unread = true;
     }

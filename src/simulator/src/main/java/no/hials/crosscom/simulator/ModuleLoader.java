@@ -254,7 +254,7 @@ final class ModuleLoader {
     if (report.anyRefused()) {
       return new Loaded(null, report);
     }
-    List<RobotData.Refusal> refusals =
+    List<RobotData.UnusedData> refusals =
         core.loaded(variables.robotData(DataLists.variablesSetBy(list, RobotData.SIGNS)));
     if (!list.name().startsWith("$")) {
       core.withLibrary(
@@ -268,7 +268,7 @@ final class ModuleLoader {
 
   /** Adds the data of the robot that are not used, each at its place in the list. */
   private static LoadReport withRefusals(
-      LoadReport report, DataList list, List<RobotData.Refusal> refusals) {
+      LoadReport report, DataList list, List<RobotData.UnusedData> refusals) {
     if (refusals.isEmpty()) {
       return report;
     }

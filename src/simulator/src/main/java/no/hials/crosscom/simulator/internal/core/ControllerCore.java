@@ -165,8 +165,8 @@ public final class ControllerCore {
    *
    * @return the reasons for which data are not used
    */
-  public List<RobotData.Refusal> loaded(RobotData data) {
-    List<RobotData.Refusal> refusals = new ArrayList<>();
+  public List<RobotData.UnusedData> loaded(RobotData data) {
+    List<RobotData.UnusedData> refusals = new ArrayList<>();
     if (data.isMachineData() || data.isHome()) {
       change(() -> refusals.addAll(robots.loaded(data, robot.state() == ProgramState.ACTIVE)));
     }

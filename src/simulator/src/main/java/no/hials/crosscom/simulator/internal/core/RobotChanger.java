@@ -36,12 +36,12 @@ final class RobotChanger {
   }
 
   /** Uses loaded data; if they cannot be used, a message says why. Returns the reasons. */
-  List<RobotData.Refusal> loaded(RobotData data, boolean active) {
-    List<RobotData.Refusal> refusals = new ArrayList<>();
+  List<RobotData.UnusedData> loaded(RobotData data, boolean active) {
+    List<RobotData.UnusedData> refusals = new ArrayList<>();
     boolean idle = !active && motions.idle();
     boolean moved = !motions.interpolator().joints().equals(start);
     if (data.isMachineData()) {
-      Optional<RobotData.Refusal> refusal = replace(data, idle);
+      Optional<RobotData.UnusedData> refusal = replace(data, idle);
       another = refusal.isPresent();
       refusal.ifPresent(refusals::add);
     } else if (!idle) {
@@ -65,7 +65,7 @@ final class RobotChanger {
   }
 
   /** Replaces the robot, or restores the data of the present one. */
-  private Optional<RobotData.Refusal> replace(RobotData data, boolean idle) {
+  private Optional<RobotData.UnusedData> replace(RobotData data, boolean idle) {
     try {
       if (!idle) {
         data.restore(access);
@@ -83,8 +83,8 @@ final class RobotChanger {
     }
   }
 
-  private RobotData.Refusal notUsed(String variable, String reason) {
-    return new RobotData.Refusal(
+  private RobotData.UnusedData notUsed(String variable, String reason) {
+    return new RobotData.UnusedData(
         variable,
         "the robot stays a " + motions.model().name() + ", its new data are not used: " + reason);
   }

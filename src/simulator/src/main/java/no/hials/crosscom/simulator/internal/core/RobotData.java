@@ -75,7 +75,7 @@ public record RobotData(Set<String> now, Set<String> all, SavedVariables before)
    * @param variable the variable that is the reason, with an index or a component
    * @param reason the reason, with the robot that stays
    */
-  public record Refusal(String variable, String reason) {}
+  public record UnusedData(String variable, String reason) {}
 
   boolean isMachineData() {
     return now.contains(TRAFONAME);
@@ -107,14 +107,15 @@ public record RobotData(Set<String> now, Set<String> all, SavedVariables before)
   }
 
   /** Restores the home of a robot outside whose limits a loaded one is; returns whether it is. */
-  Optional<Refusal> restoreHome(SystemVariableAccess access, RobotModel robot) {
+  Optional<UnusedData> restoreHome(SystemVariableAccess access, RobotModel robot) {
     if (!all.contains(XHOME)
         || robot.axesOutsideLimits(access.position(XHOME, robot.home())).isEmpty()) {
       return Optional.empty();
     }
     access.restore(before, Set.of(XHOME));
     return Optional.of(
-        new Refusal(XHOME, "XHOME is not used: it is outside the limits of the " + robot.name()));
+        new UnusedData(
+            XHOME, "XHOME is not used: it is outside the limits of the " + robot.name()));
   }
 
   /**

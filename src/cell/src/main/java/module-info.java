@@ -12,4 +12,5 @@ module no.hials.crosscom.cell {
 
   exports no.hials.crosscom.cell;
   exports no.hials.crosscom.cell.feed;
+  exports no.hials.crosscom.cell.recording;
 }

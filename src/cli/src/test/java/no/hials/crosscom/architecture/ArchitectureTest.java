@@ -50,6 +50,9 @@ class ArchitectureTest {
 
   private static final int MAX_LINES = 500;
 
+  /** A package that a module exports to all others. */
+  private static final Pattern EXPORT = Pattern.compile("exports ([\\w.]+);");
+
   /**
    * The client's root: 11 exceptions, the names of 0.2.2, which cannot move, and the exchanges,
    * which are package-private. The programs of the simulator: the compiler and the code that it
@@ -119,6 +122,28 @@ class ArchitectureTest {
 
   private static List<String> usedBy(String module) {
     return List.of(USED_MODULES.getOrDefault(module, "").split(" ", -1));
+  }
+
+  @Test
+  void aModuleExportsItsPublicPackages() throws IOException {
+    List<Path> descriptors =
+        sources().stream().filter(file -> file.endsWith("module-info.java")).toList();
+    assertThat(descriptors).hasSize(7);
+
+    for (Path descriptor : descriptors) {
+      assertThat(EXPORT.matcher(Files.readString(descriptor)).results())
+          .extracting(export -> export.group(1))
+          .as("%s", descriptor)
+          .containsExactlyInAnyOrderElementsOf(packagesToExport(descriptor.getParent()));
+    }
+  }
+
+  private static List<String> packagesToExport(Path root) throws IOException {
+    return sources().stream()
+        .filter(file -> file.startsWith(root) && file.endsWith("package-info.java"))
+        .map(ArchitectureTest::packageName)
+        .filter(name -> !isInternal(name))
+        .toList();
   }
 
   @Test
@@ -210,7 +235,11 @@ class ArchitectureTest {
   }
 
   private static boolean isInternal(JavaClass type) {
-    return (type.getPackageName() + ".").contains(".internal.");
+    return isInternal(type.getPackageName());
+  }
+
+  private static boolean isInternal(String packageName) {
+    return (packageName + ".").contains(".internal.");
   }
 
   @Test

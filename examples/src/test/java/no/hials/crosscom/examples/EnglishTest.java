@@ -30,7 +30,7 @@ class EnglishTest {
           + " to|is what is left|it has enough|as it were|beside|behind it|for ever|stands in|was"
           + " not asked for|as of|(?-i:(?<![Tt]here )(?:is|are) no (?!longer|more))|the"
           + " (?:rest|rest of the file|last one) counts|put aside|read all the same|may take,"
-          + " about";
+          + " about|sees to it|values? of now|can no more";
 
   /** May grow. First words of a doc comment, in Java or Python. */
   private static final String FIRST_WORDS = "Gives|Hears|Says|What|Returns what|Returns such as";

@@ -24,9 +24,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads the robots of a configuration and passes their values on to its outputs. Another
- * configuration is taken by {@link #apply}, which leaves alone the robots and outputs that stay as
- * they are.
+ * Reads the robots of a configuration and passes their values on to its outputs. {@link #apply}
+ * changes the configuration, and does not interrupt the robots and outputs that stay the same.
  */
 public final class Gateway implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Gateway.class);
@@ -59,7 +58,7 @@ public final class Gateway implements AutoCloseable {
   /**
    * Starts a gateway.
    *
-   * @param kinds the outputs that there are
+   * @param kinds the available kinds of outputs
    * @param opener connects to robots
    * @throws IOException if an output cannot start
    */
@@ -82,7 +81,7 @@ public final class Gateway implements AutoCloseable {
     return gateway;
   }
 
-  /** An output with its settings; its exceptions stay its own. */
+  /** An output with its settings. Its exceptions are logged, and disturb nothing else. */
   private static final class RunningOutput {
     private final Object settings;
     private final Output output;
@@ -186,7 +185,7 @@ public final class Gateway implements AutoCloseable {
     RobotFeed feed = RobotFeed.open(plan, opener, this::passOn);
     robots.put(plan.robot().name(), feed);
     outputs.values().forEach(one -> one.call(output -> output.added(feed)));
-    // a robot that could not be reached has told so before the outputs knew it
+    // the first updates, if the robot is off, came before the outputs knew the robot
     feed.repeat();
     feed.start();
   }

@@ -29,7 +29,7 @@ public record GatewayConfig(Plant plant, Path folder, Map<String, Object> output
    *
    * @param root the file
    * @param more robots that are not in the file
-   * @param kinds the outputs that there are
+   * @param kinds the available kinds of outputs
    * @throws FileException if something is wrong, with its line and the rule
    */
   public static GatewayConfig read(

@@ -39,7 +39,7 @@ import picocli.CommandLine.Spec;
     },
     footer = {
       "",
-      "docs/reference/gateway.md describes the file. A change of it is taken without a restart.",
+      "docs/reference/gateway.md describes the file. A changed file is loaded without a restart.",
       "",
       "Examples:",
       "  jopenshowvar gateway --config plant.toml",
@@ -65,7 +65,7 @@ public final class GatewayMain implements Callable<Integer> {
   @Option(
       names = "--mock",
       paramLabel = "N",
-      description = "Simulate N robots more, named mock1, mock2, ..., which move.")
+      description = "Simulate N more robots, named mock1, mock2, ..., which move.")
   private int mocks;
 
   @Option(
@@ -190,7 +190,7 @@ public final class GatewayMain implements Callable<Integer> {
       } catch (IOException e) {
         String message = String.valueOf(e.getMessage());
         if (!message.equals(refused)) {
-          LOG.error("the configuration is not taken, the one before stays: {}", message);
+          LOG.error("the new configuration is refused, the old one stays: {}", message);
         }
         refused = message;
       }

@@ -19,7 +19,7 @@ public interface Output extends AutoCloseable {
    */
   void updated(RobotFeed robot, List<Update> updates);
 
-  /** Called after the last update of a robot, which the configuration has no more. */
+  /** Called after the last update of a robot that was removed from the configuration. */
   void removed(RobotFeed robot);
 
   /** Ends the output. */

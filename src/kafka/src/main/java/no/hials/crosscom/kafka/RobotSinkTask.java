@@ -217,7 +217,7 @@ public final class RobotSinkTask extends SinkTask {
     }
   }
 
-  /** Refuses a record that has waited for long: nobody knows whether it is still meant. */
+  /** Refuses an old record: nobody knows whether its write is still wanted. */
   private void checkAge(SinkRecord record) {
     long limit = settings == null ? 0 : settings.getLong(ConnectorSettings.MAX_AGE);
     Long time = record.timestamp();

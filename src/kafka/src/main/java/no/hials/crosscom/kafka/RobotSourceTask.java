@@ -31,7 +31,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Reads some robots. A record that the broker has acknowledged renews the lease, from the time when
- * the task gave it to Connect; a small record several times a lease sees to it that there is one.
+ * the task gave it to Connect; small records, several in each lease, make sure that there is one.
  * Without the lease no robot is used, by the condition of each access of the client.
  */
 public final class RobotSourceTask extends SourceTask {

@@ -262,7 +262,7 @@ public final class RobotFeed implements Closeable {
         reading.time());
   }
 
-  /** Marks variables as stale whose next reading is overdue, for example behind a slow one. */
+  /** Marks variables as stale whose next reading is overdue, such as after a slow one. */
   public void checkAges() {
     long now = System.nanoTime();
     Instant time = Instant.now();

@@ -51,7 +51,7 @@ public final class PlantWatch implements AutoCloseable {
       complaint = "";
       if (!now.equals(text)) {
         text = now;
-        LOG.info("{} has changed: the tasks take it", file);
+        LOG.info("{} has changed: the tasks restart with it", file);
         changed.run();
       }
     } catch (FileException | RuntimeException e) {

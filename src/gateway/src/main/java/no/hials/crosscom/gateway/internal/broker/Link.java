@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 
 /** One connection to a broker, from its beginning to its end. It does not reconnect. */
 interface Link {
-  /** The time after which a silent broker is taken for lost is one and a half times as long. */
+  /** The period of keep-alives; a broker that is silent for 1.5 periods counts as lost. */
   int KEEP_ALIVE_SECONDS = 10;
 
   /** Connects, with a clean session: nothing waits in the broker for this client. */

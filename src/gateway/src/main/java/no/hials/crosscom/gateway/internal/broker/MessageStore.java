@@ -324,7 +324,7 @@ final class MessageStore implements AutoCloseable {
     showSize();
   }
 
-  /** Hands out again, later, what was not confirmed. */
+  /** Makes {@link #next} return the unconfirmed messages again. */
   void rewind() {
     handedOut = confirmed;
   }

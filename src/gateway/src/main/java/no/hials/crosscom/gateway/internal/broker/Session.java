@@ -157,7 +157,7 @@ public final class Session implements AutoCloseable {
     send(message, new Outgoing(null, stored));
   }
 
-  /** Forgets a stored message that can no more be published, which is counted. */
+  /** Drops and counts a stored message that can no longer be published. */
   public void dropStored(StoredMessage stored) {
     figures.dropped("unknown", 1);
     Outgoing one = new Outgoing(null, stored);

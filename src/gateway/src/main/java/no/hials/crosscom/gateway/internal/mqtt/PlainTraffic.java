@@ -24,7 +24,7 @@ import no.hials.crosscom.gateway.internal.broker.Traffic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Publishes each variable on a topic of its own. Values of now are retained; stored ones are not,
+ * Publishes each variable on a topic of its own. Current values are retained; stored ones are not,
  * so that a retained value is never older than one before it. Used by the thread of the session.
  */
 final class PlainTraffic implements Traffic {

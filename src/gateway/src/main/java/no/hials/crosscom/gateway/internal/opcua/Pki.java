@@ -108,7 +108,7 @@ record Pki(
     }
   }
 
-  /** Takes the permissions of others away, where the file system has permissions. */
+  /** Removes the permissions of other users, if the file system has permissions. */
   private static void protect(Path path, String permissions) throws IOException {
     if (FileSystems.getDefault().supportedFileAttributeViews().contains("posix")) {
       Files.setPosixFilePermissions(path, PosixFilePermissions.fromString(permissions));

@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
 final class RobotWrites {
   private static final Logger LOG = LoggerFactory.getLogger(RobotWrites.class);
 
-  /** More writes than that are refused while a robot is slow. */
+  /** The writes that may wait for a slow robot; further ones are refused. */
   private static final int MAX_WAITING = 16;
 
   private static final long IDLE_SECONDS = 10;
@@ -137,7 +137,7 @@ final class RobotWrites {
         : StatusCodes.Bad_DeviceFailure;
   }
 
-  /** Ends the thread of a robot that is there no more; a write that was begun ends first. */
+  /** Ends the thread of a removed robot, after the write in progress. */
   void removed(String robot) {
     ThreadPoolExecutor executor = threads.remove(robot);
     if (executor != null) {

@@ -13,7 +13,7 @@ import org.eclipse.milo.opcua.stack.core.types.builtin.QualifiedName;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReadValueId;
 
-/** A namespace whose attributes do not change: who watches one gets its value once. */
+/** A namespace whose attributes do not change: a client that watches one gets its value once. */
 class StaticNamespace extends ManagedNamespaceWithLifecycle {
   StaticNamespace(OpcUaServer server, String uri) {
     super(server, uri);

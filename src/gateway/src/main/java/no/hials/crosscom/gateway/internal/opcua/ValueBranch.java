@@ -21,7 +21,7 @@ final class ValueBranch {
   /** Creates nodes. */
   interface Nodes {
     /**
-     * Creates a node, or returns the one that there is.
+     * Creates a node, or returns the existing one.
      *
      * @param name the name that reads the value alone
      * @param label the name of the field or element

@@ -208,7 +208,7 @@ final class ValueNode extends UaVariableNode {
     return reading == null ? this : reading;
   }
 
-  /** Passes values on to an item of a subscription, first the one of now. */
+  /** Passes values on to an item of a subscription, first the current one. */
   void watch(DataItem item) {
     synchronized (lock()) {
       items.add(item);
@@ -219,7 +219,7 @@ final class ValueNode extends UaVariableNode {
     }
   }
 
-  /** Ends that. */
+  /** Stops passing values on to an item. */
   void forget(DataItem item) {
     synchronized (lock()) {
       items.remove(item);
@@ -229,7 +229,7 @@ final class ValueNode extends UaVariableNode {
     }
   }
 
-  /** Passes the value of now on; called with the reading locked. */
+  /** Passes the current value on; called with the reading locked. */
   void push() {
     DataValue value = getValue();
     for (DataItem item : items) {

@@ -83,10 +83,7 @@ final class RobotMetrics {
     boolean good = update.quality() == Quality.GOOD;
     Labels labels = Labels.of("robot", robot.name(), "variable", variable.name());
     families.gauge(
-        "variable_good",
-        "Whether the last reading of a variable is a value of now",
-        labels,
-        good ? 1 : 0);
+        "variable_good", "Whether the last reading of a variable is current", labels, good ? 1 : 0);
     robot
         .age(variable.key())
         .ifPresent(

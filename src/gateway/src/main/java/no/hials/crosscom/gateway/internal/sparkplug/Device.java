@@ -60,7 +60,7 @@ final class Device {
     return robot.isConnected() && known.containsAll(robot.plan().variables().keySet());
   }
 
-  /** Returns whether its metrics are others than those of its birth. */
+  /** Returns whether its metrics differ from those of its birth. */
   boolean isChanged() {
     return changed;
   }

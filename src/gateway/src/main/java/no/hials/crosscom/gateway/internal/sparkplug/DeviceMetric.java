@@ -69,7 +69,7 @@ final class DeviceMetric {
     return variable.equals(key);
   }
 
-  /** Takes a value, and returns whether its type is another one than before. */
+  /** Sets the value, and returns whether its type has changed. */
   boolean take(Leaf leaf, Instant readAt) {
     KrlValue now = leaf.value();
     MetricDataType next = type(now);
@@ -93,7 +93,7 @@ final class DeviceMetric {
     return other;
   }
 
-  /** Notes that there is no value of now. */
+  /** Notes that there is no current value. */
   void without(Quality why, Instant failedAt) {
     time = failedAt;
     if (why == Quality.BAD) {

@@ -56,7 +56,7 @@ final class RobotJog {
         throw new CommandException("the page's server ends");
       }
       if (opening) {
-        throw new CommandException("jogging starts already");
+        throw new CommandException("jogging is already starting");
       }
       opening = true;
       lastEnd = "";

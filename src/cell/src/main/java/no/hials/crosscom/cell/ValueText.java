@@ -20,7 +20,7 @@ public final class ValueText {
   private ValueText() {}
 
   /**
-   * Parses a value that shall be written to a variable.
+   * Parses a value to write to a variable.
    *
    * @param quote the quotation mark around the value, for an example; empty if it needs none
    * @throws IllegalArgumentException if the text is not a KRL value, has several values for a name

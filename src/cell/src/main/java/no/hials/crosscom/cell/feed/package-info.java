@@ -1,6 +1,7 @@
 /**
  * Reads many variables of many robots for other systems: what to read, the plan of accesses, a feed
- * for each robot, and the writes that are allowed.
+ * for each robot, and the writes that are allowed. A feed is the only reader of its robot, and
+ * passes on only what is new.
  */
 @NullMarked
 package no.hials.crosscom.cell.feed;

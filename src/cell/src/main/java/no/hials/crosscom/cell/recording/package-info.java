@@ -1,4 +1,7 @@
-/** Recordings of variables on disk: CSV and JSON Lines, written and read. */
+/**
+ * Recordings of variables on disk: CSV and JSON Lines, written and read. Each row is written at
+ * once, and a text cannot be a formula of a spreadsheet unless it is written raw.
+ */
 @NullMarked
 package no.hials.crosscom.cell.recording;
 

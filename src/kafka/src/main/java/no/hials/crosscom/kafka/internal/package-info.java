@@ -1,4 +1,7 @@
-/** Settings, leases, records and claims of the connectors. */
+/**
+ * Settings, leases, records and claims of the connectors. A lease decides whether a task may use
+ * robots, and a claim whether it may write a record.
+ */
 @NullMarked
 package no.hials.crosscom.kafka.internal;
 

@@ -1,4 +1,7 @@
-/** The values of robots as retained JSON messages, a topic for each variable. */
+/**
+ * The values of robots as retained JSON messages, a topic for each variable. The names of topics
+ * and the JSON are here; the connection and the store are in the package of the broker.
+ */
 @NullMarked
 package no.hials.crosscom.gateway.internal.mqtt;
 

@@ -1,4 +1,7 @@
-/** The values of robots and the figures of the gateway for Prometheus. */
+/**
+ * The values of robots and the figures of the gateway for Prometheus. A request of Prometheus gets
+ * the last updates, and causes no access to a robot.
+ */
 @NullMarked
 package no.hials.crosscom.gateway.internal.prometheus;
 

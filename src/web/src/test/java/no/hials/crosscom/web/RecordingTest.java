@@ -5,6 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
@@ -15,6 +18,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.StringJoiner;
 import no.hials.crosscom.cell.recording.RecordedData;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.Test;
@@ -405,6 +409,70 @@ class RecordingTest {
     }
     RecordedData data = RecordedData.read(folder.resolve("recordings/run.csv"));
     assertThat(data.find("$OV_PRO").orElseThrow().values()).hasSizeGreaterThanOrEqualTo(ROWS);
+  }
+
+  @Test
+  void recordingsThatNobodyTakesDoNotFillTheMemory() throws Exception {
+    writeLarge("large.jsonl");
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      String cookie = pages.login(Role.VIEW);
+      URI address = pages.at("/recordings/large.jsonl/columns");
+      List<Socket> slow = new ArrayList<>();
+      try {
+        for (int i = 0; i < 8; i++) {
+          slow.add(ask(address, cookie));
+        }
+        for (Socket one : slow) {
+          assertThat(one.getInputStream().read()).isEqualTo('H'); // and no more
+        }
+
+        HttpResponse<String> refused = pages.get(address, "Cookie", cookie);
+
+        assertThat(refused.statusCode()).isEqualTo(503);
+        assertThat(refused.body())
+            .isEqualTo("8 recordings are being opened already: try again soon.\n");
+        assertThat(pages.get(pages.at("/app.js"), "Cookie", cookie).statusCode()).isEqualTo(200);
+      } finally {
+        for (Socket one : slow) {
+          one.close();
+        }
+      }
+    }
+  }
+
+  /** Writes a recording whose numbers do not fit into the buffers of a connection: 6 MB. */
+  private void writeLarge(String file) throws IOException {
+    StringJoiner values = new StringJoiner(",", "{", "}");
+    for (int i = 1; i <= 100; i++) {
+      values.add("\"V" + i + "\":0");
+    }
+    StringBuilder text = new StringBuilder();
+    for (int row = 0; row < 8000; row++) {
+      text.append("{\"time\":\"2026-01-01T00:00:00Z\",\"seconds\":")
+          .append(row)
+          .append(",\"values\":")
+          .append(row == 0 ? values : "{}")
+          .append("}\n");
+    }
+    Path recordings = Files.createDirectories(folder.resolve("recordings"));
+    Files.writeString(recordings.resolve(file), text);
+  }
+
+  /** Asks for a file and does not read the answer. */
+  private static Socket ask(URI address, String cookie) throws IOException {
+    Socket socket = new Socket();
+    socket.setReceiveBufferSize(4096);
+    socket.connect(new InetSocketAddress(address.getHost(), address.getPort()));
+    String request =
+        "GET "
+            + address.getPath()
+            + " HTTP/1.1\r\nHost: "
+            + address.getAuthority()
+            + "\r\nCookie: "
+            + cookie
+            + "\r\n\r\n";
+    socket.getOutputStream().write(request.getBytes(StandardCharsets.US_ASCII));
+    return socket;
   }
 
   @Test

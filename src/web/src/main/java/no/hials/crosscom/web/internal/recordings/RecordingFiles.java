@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.Semaphore;
 import java.util.regex.Pattern;
 import no.hials.crosscom.web.internal.http.BrowserSession;
 import no.hials.crosscom.web.internal.http.PageHandler;
@@ -43,7 +44,12 @@ final class RecordingFiles implements Route {
   private static final Pattern DEVICE =
       Pattern.compile("CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9]", Pattern.CASE_INSENSITIVE);
 
+  /** More at a time would fill the memory: each has up to {@link ReplayColumns#MAX_BYTES}. */
+  static final int MAX_OPENING = 8;
+
   private final Path folder;
+  private final Semaphore opening = new Semaphore(MAX_OPENING);
+  private final Object reading = new Object();
 
   RecordingFiles(Path folder) {
     this.folder = folder.resolve("recordings");
@@ -148,9 +154,11 @@ final class RecordingFiles implements Route {
     return true;
   }
 
-  /** Answers with the numbers; one after the other, since a recording takes some memory. */
-  private synchronized boolean columns(Path file, Response response, Callback callback)
-      throws IOException {
+  /**
+   * Answers with the numbers, in a thread of its own: the threads of the server are for those who
+   * want to stop a robot.
+   */
+  private boolean columns(Path file, Response response, Callback callback) throws IOException {
     long bytes = Files.size(file);
     if (bytes > MAX_BYTES_TO_REPLAY) {
       String reason =
@@ -161,17 +169,35 @@ final class RecordingFiles implements Route {
               + ". Download it instead.";
       return PageHandler.refuse(response, callback, HttpStatus.PAYLOAD_TOO_LARGE_413, reason);
     }
+    if (!opening.tryAcquire()) {
+      String reason = MAX_OPENING + " recordings are being opened already: try again soon.";
+      return PageHandler.refuse(response, callback, HttpStatus.SERVICE_UNAVAILABLE_503, reason);
+    }
+    Callback done = Callback.from(callback, () -> opening.release());
+    Thread thread = new Thread(() -> answer(file, response, done), "web-recording-opened");
+    thread.setDaemon(true);
+    thread.start();
+    return true;
+  }
+
+  private void answer(Path file, Response response, Callback done) {
     ByteBuffer content;
     try {
-      content = ReplayColumns.read(file).bytes();
+      synchronized (reading) { // one after the other, since that takes some memory
+        content = ReplayColumns.read(file).bytes();
+      }
     } catch (IOException e) {
       // viewers need not know where the folder is
       String name = file.getFileName().toString();
       String reason = String.valueOf(e.getMessage()).replace(file.toString(), name);
-      return PageHandler.refuse(response, callback, HttpStatus.UNPROCESSABLE_ENTITY_422, reason);
+      boolean unused =
+          PageHandler.refuse(response, done, HttpStatus.UNPROCESSABLE_ENTITY_422, reason);
+      return;
+    } catch (RuntimeException | OutOfMemoryError e) {
+      done.failed(e);
+      return;
     }
     response.getHeaders().put(HttpHeader.CONTENT_TYPE, "application/octet-stream");
-    response.write(true, content, callback);
-    return true;
+    response.write(true, content, done);
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.nio.file.Path;
+import java.util.Optional;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.c3.TransferConfig;
 import no.hials.crosscom.cell.RobotConnection;
@@ -68,6 +69,37 @@ class VariablesTest {
 
       assertThat(pages.controller().requests().stream().anyMatch(RecordedRequest::isWrite))
           .isEqualTo(atWrite);
+    }
+  }
+
+  @Test
+  void aWriteIsRefusedIfTheRobotIsLockedWhileItsOldValueIsRead() throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket other = pages.open(Role.OPERATE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      pages
+          .controller()
+          .faults(
+              request -> {
+                if (request.names().contains("$OV_JOG") && !request.isWrite()) {
+                  lock(other);
+                }
+                return Optional.empty();
+              });
+
+      assertThat(write(socket, "$OV_JOG", "50")).endsWith("the robot is locked");
+
+      assertThat(pages.controller().requests().stream().noneMatch(RecordedRequest::isWrite))
+          .isTrue();
+    }
+  }
+
+  private static void lock(TestSocket socket) {
+    try {
+      socket.call("lock", "robot", "'mock'", "locked", "true");
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
     }
   }
 

@@ -203,8 +203,11 @@ public final class PageProgramCommands {
         robot,
         "select",
         path,
-        programs ->
-            programs.select(RemoteName.withoutEnding(krcName(robot.client().files(), path))),
+        programs -> {
+          String name = RemoteName.withoutEnding(krcName(robot.client().files(), path));
+          robot.lock().check(call, "select " + path); // somebody may have locked it meanwhile
+          programs.select(name);
+        },
         "the program has errors, or another one is active");
   }
 

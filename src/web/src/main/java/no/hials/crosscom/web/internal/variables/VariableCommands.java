@@ -182,6 +182,7 @@ public final class VariableCommands {
             checkValue(robot, name, value);
             robot.lock().check(call, "write " + name);
             oldValue.accept(valueBefore(robot, name));
+            robot.lock().check(call, "write " + name); // somebody may have locked it meanwhile
             WriteAnswer.check(name, value, robot.client().writeText(name, value));
           } catch (CrossComException e) {
             if (e.isOutcomeUnknown() || e instanceof CrossComValueException) {

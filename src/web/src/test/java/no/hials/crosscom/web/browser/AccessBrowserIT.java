@@ -15,6 +15,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.Base64;
 import java.util.List;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.web.OwnCertificate;
@@ -201,12 +202,23 @@ class AccessBrowserIT {
     String link = code(browser.picture());
     assertThat(browser.run("return document.querySelector('.made .link').value")).isEqualTo(link);
 
-    assertThat(pages.get(URI.create(link)).statusCode()).isEqualTo(303);
+    assertThat(pages.get(URI.create(link)).statusCode()).isEqualTo(200);
 
     browser.click("[aria-label=\"Send browser 2 (phone) away\"]");
     browser.click(".browsers .main");
     browser.await("document.querySelectorAll('.browsers li').length === 1");
     assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void aLinkOnAnotherSiteLetsTheBrowserIn(Browser browser) {
+    String mail = "<a href=\"" + pages.web().link(Role.VIEW) + "\">the robot</a>";
+    String encoded = Base64.getEncoder().encodeToString(mail.getBytes(US_ASCII));
+    browser.open(URI.create("data:text/html;base64," + encoded));
+
+    browser.click("a");
+
+    browser.await(LIVE);
   }
 
   /** Reads the QR code in a picture, as the camera of a phone does. */

@@ -28,6 +28,20 @@ public final class PageHandler extends Handler.Abstract {
       "This browser has no session. Open the link that 'jopenshowvar web' has printed, or ask"
           + " somebody who is in for a link; each link works once.";
 
+  /**
+   * The answer to a link. A redirect would not do: to a link on another site, as in a web mail,
+   * browsers send the cookie only after a page of ours goes on.
+   */
+  private static final String ENTRANCE =
+      """
+      <!DOCTYPE html>
+      <html lang="en">
+      <meta charset="utf-8">
+      <meta http-equiv="refresh" content="0; url=/">
+      <title>JOpenShowVar</title>
+      <a href="/">Open the page</a>
+      """;
+
   private final Tokens tokens;
   private final HostCheck hosts;
   private final PageFiles files = new PageFiles();
@@ -113,10 +127,13 @@ public final class PageHandler extends Handler.Abstract {
             .secure(request.isSecure())
             .build();
     Response.addCookie(response, cookie);
-    response.setStatus(HttpStatus.SEE_OTHER_303);
-    response.getHeaders().put(HttpHeader.LOCATION, "/");
-    callback.succeeded();
+    html(ENTRANCE, response, callback);
     return true;
+  }
+
+  private static void html(String page, Response response, Callback callback) {
+    response.getHeaders().put(HttpHeader.CONTENT_TYPE, "text/html; charset=utf-8");
+    response.write(true, ByteBuffer.wrap(page.getBytes(StandardCharsets.UTF_8)), callback);
   }
 
   /** Returns the name of the cookie; browsers do not tell the ports of one host apart. */
@@ -136,9 +153,7 @@ public final class PageHandler extends Handler.Abstract {
   }
 
   private boolean index(BrowserSession browser, Response response, Callback callback) {
-    response.getHeaders().put(HttpHeader.CONTENT_TYPE, "text/html; charset=utf-8");
-    byte[] page = files.index(browser.newPage()).getBytes(StandardCharsets.UTF_8);
-    response.write(true, ByteBuffer.wrap(page), callback);
+    html(files.index(browser.newPage()), response, callback);
     return true;
   }
 

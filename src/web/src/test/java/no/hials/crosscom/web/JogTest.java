@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
@@ -775,6 +776,25 @@ class JogTest {
     assertThat(x(line.path("after").asText())).isGreaterThan(x(line.path("before").asText()));
     assertThat(line.path("result").asText()).isEqualTo("released");
     assertThat(audit(socket, "jog-open").get(0).path("name").asText()).isEqualTo("base");
+  }
+
+  @Test
+  void aPositionThatCannotBeReadAfterwardsIsNotInTheAuditLog() throws Exception {
+    start();
+    TestSocket socket = open(Role.JOG);
+    assertDone(begin(socket, "base"));
+    moveAlongX(socket);
+
+    pages.controller().fault(it -> true, Fault.drop());
+    JsonNode event =
+        socket.await(
+            it ->
+                it.path("event").asText().equals("audit")
+                    && it.path("line").asText().contains("\"what\":\"jog\""));
+
+    JsonNode line = TestSocket.json(event.path("line").asText());
+    assertThat(line.path("before").asText()).startsWith("{X ");
+    assertThat(line.path("after").asText()).isEmpty();
   }
 
   private static double x(String position) {

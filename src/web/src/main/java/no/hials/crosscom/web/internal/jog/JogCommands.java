@@ -31,6 +31,9 @@ public final class JogCommands implements AutoCloseable {
   /** The time after which a robot stands whose hold is over; then its position is written down. */
   private static final long BRAKING_MILLIS = 500;
 
+  /** The last lines may wait for a robot that does not answer. */
+  private static final long LAST_LINES_MILLIS = 5000;
+
   private final Map<String, RobotJog> jogs = new LinkedHashMap<>();
   private final RobotSessions robots;
   private final AuditLog audit;
@@ -199,7 +202,7 @@ public final class JogCommands implements AutoCloseable {
                         "jog",
                         name,
                         before,
-                        session.position(),
+                        session.positionAfter(),
                         reason)),
             BRAKING_MILLIS,
             TimeUnit.MILLISECONDS);
@@ -210,7 +213,7 @@ public final class JogCommands implements AutoCloseable {
     jogs.values().forEach(RobotJog::close);
     writer.shutdown();
     try {
-      boolean unused = writer.awaitTermination(2 * BRAKING_MILLIS, TimeUnit.MILLISECONDS);
+      boolean unused = writer.awaitTermination(LAST_LINES_MILLIS, TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }

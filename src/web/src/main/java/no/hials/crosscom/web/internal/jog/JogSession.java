@@ -22,6 +22,8 @@ import no.hials.crosscom.web.WebConfig;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.socket.CommandException;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * A control loop that a page moves the robot with. It runs from the start of jogging to its end,
@@ -32,6 +34,8 @@ import org.jspecify.annotations.Nullable;
  * reading that takes too long ends the loop, also if another view has caused it.
  */
 final class JogSession implements InputDevice {
+  private static final Logger LOG = LoggerFactory.getLogger(JogSession.class);
+
   /** The limits of the loop: its defaults. A speed of 100 % is just below them. */
   private static final Safety LIMITS = Safety.create(cfg -> {});
 
@@ -282,6 +286,23 @@ final class JogSession implements InputDevice {
               });
     }
     return text.toString();
+  }
+
+  /**
+   * Returns the position after a hold, as KRL text; empty if it cannot be read. Waits for the robot
+   * if the loop does not read it any more.
+   */
+  String positionAfter() {
+    ControlLoop running = loop;
+    if (running != null && running.stopReason().isEmpty() && !isLate()) {
+      return position();
+    }
+    try {
+      return robot.client().readText(space == DriveSpace.JOINTS ? "$AXIS_ACT" : "$POS_ACT");
+    } catch (IOException e) {
+      LOG.debug("the position after a hold is not known", e);
+      return "";
+    }
   }
 
   // the loop

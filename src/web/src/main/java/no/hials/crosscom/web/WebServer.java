@@ -1,6 +1,7 @@
 package no.hials.crosscom.web;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
@@ -65,8 +66,16 @@ public final class WebServer implements AutoCloseable {
     secure = config.certificate().isPresent();
     connector = connector(config);
     server.addConnector(connector);
-    connector.open(); // before the robots are asked, since another program may have the port
+    listen(); // before the robots are asked, since another program may have the port
     parts.add(server::stop);
+  }
+
+  private void listen() throws IOException {
+    try {
+      connector.open();
+    } catch (IOException e) { // Jetty puts its own text around the cause
+      throw e.getCause() instanceof BindException cause ? cause : e;
+    }
   }
 
   private ServerConnector connector(WebConfig config) {
@@ -100,7 +109,8 @@ public final class WebServer implements AutoCloseable {
   /**
    * Connects to the robots and starts the server.
    *
-   * @throws IOException if the port is in use, or a simulated robot cannot be started
+   * @throws BindException if the port is in use
+   * @throws IOException if a simulated robot cannot be started
    */
   public static WebServer start(WebConfig config) throws IOException {
     return start(config, Clock.systemUTC());

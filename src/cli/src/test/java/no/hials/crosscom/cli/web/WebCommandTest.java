@@ -6,6 +6,8 @@ import java.io.BufferedReader;
 import java.io.PipedReader;
 import java.io.PipedWriter;
 import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.concurrent.CompletableFuture;
@@ -105,6 +107,18 @@ class WebCommandTest {
     assertThat(result.code()).isEqualTo(2);
     assertThat(result.out()).isEmpty();
     assertThat(result.err()).startsWith("jopenshowvar: " + message);
+  }
+
+  @Test
+  void aPortInUseIsNamed() throws Exception {
+    try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      String port = Integer.toString(other.getLocalPort());
+
+      Cli.run("web", "--mock", "--port", port, "--data", folder.toString())
+          .failsInALine(3)
+          .startsWith("jopenshowvar: cannot listen on port " + port + ": ")
+          .doesNotContain("internal error");
+    }
   }
 
   @Test

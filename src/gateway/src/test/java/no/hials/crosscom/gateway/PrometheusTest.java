@@ -53,6 +53,10 @@ class PrometheusTest {
         variables = ["$OV_PRO", "$POS_ACT", "$MODE_OP", "NOSUCH"]
         period = "50ms"
 
+        [groups.field]
+        variables = ["$POS_ACT.X"]
+        period = "70ms"
+
         [variables."$OV_PRO"]
         unit = "percent"
 
@@ -99,6 +103,20 @@ class PrometheusTest {
             "jopenshowvar_state{robot=\"cell1\",state=\"#T1\",variable=\"$MODE_OP\"} 1.0",
             "jopenshowvar_variable_good{robot=\"cell1\",variable=\"NOSUCH\"} 0.0",
             "jopenshowvar_robot_connected{robot=\"cell1\"} 1.0");
+  }
+
+  @Test
+  void aFieldThatIsReadAloneAndWithItsStructureIsOneSeries() throws Exception {
+    String metrics =
+        await(
+            text ->
+                text.contains("variable=\"$POS_ACT.Y\"}")
+                    && text.contains("variable_good{robot=\"cell1\",variable=\"$POS_ACT.X\"} 1.0"));
+
+    assertThat(metrics.lines().filter(line -> line.contains("variable=\"$POS_ACT.X\"} 525.0")))
+        .singleElement()
+        .asString()
+        .startsWith("jopenshowvar_value{");
   }
 
   @Test

@@ -1,7 +1,10 @@
 package no.hials.crosscom.gateway.internal.prometheus;
 
 import io.prometheus.metrics.model.snapshots.Labels;
+import java.util.Comparator;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import no.hials.crosscom.ClientStatistics;
 import no.hials.crosscom.cell.Leaf;
@@ -75,10 +78,14 @@ final class RobotMetrics {
         statistics.losses());
     families.counter(
         "robot_reconnects", "Connections after the first one", labels, statistics.reconnects());
-    updates.values().forEach(update -> add(update, families));
+    // a field that is read alone and with its structure is one series, which has its newest value
+    Set<String> shown = new HashSet<>();
+    updates.values().stream()
+        .sorted(Comparator.comparing(Update::time).reversed())
+        .forEach(update -> add(update, shown, families));
   }
 
-  private void add(Update update, MetricFamilies families) {
+  private void add(Update update, Set<String> shown, MetricFamilies families) {
     PlannedVariable variable = update.variable();
     boolean good = update.quality() == Quality.GOOD;
     Labels labels = Labels.of("robot", robot.name(), "variable", variable.name());
@@ -95,7 +102,11 @@ final class RobotMetrics {
                     age.toNanos() / 1e9));
     KrlValue value = update.value();
     if (good && value != null) {
-      Leaf.of(variable.name(), value).forEach(leaf -> add(leaf, variable, families));
+      for (Leaf leaf : Leaf.of(variable.name(), value)) {
+        if (shown.add(leaf.name())) {
+          add(leaf, variable, families);
+        }
+      }
     }
   }
 

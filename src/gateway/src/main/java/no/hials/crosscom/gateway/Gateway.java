@@ -134,8 +134,9 @@ public final class Gateway implements AutoCloseable {
 
   /**
    * Takes another configuration. Robots and outputs that it does not change are not interrupted.
+   * The same configuration again starts what could not start before.
    *
-   * @throws IOException if an output cannot start; the others are as configured
+   * @throws IOException if an output or a robot cannot start; the others are as configured
    */
   public synchronized void apply(GatewayConfig config) throws IOException {
     plant = config.plant();
@@ -156,7 +157,11 @@ public final class Gateway implements AutoCloseable {
     }
     for (PollPlan plan : plans.values()) {
       if (!robots.containsKey(plan.robot().name())) {
-        add(plan);
+        try {
+          add(plan);
+        } catch (IOException e) {
+          failure = e;
+        }
       }
     }
     if (failure != null) {
@@ -198,6 +203,11 @@ public final class Gateway implements AutoCloseable {
     robots.remove(feed.name());
     feed.close();
     outputs.values().forEach(one -> one.call(output -> output.removed(feed)));
+  }
+
+  /** Returns the plant of the configuration. */
+  public Plant plant() {
+    return plant;
   }
 
   /** Returns the robots. */

@@ -14,13 +14,12 @@ import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
 import no.hials.crosscom.gateway.internal.opcua.OpcUaKind;
 import no.hials.crosscom.gateway.internal.prometheus.PrometheusKind;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -46,7 +45,6 @@ import picocli.CommandLine.Spec;
       "  jopenshowvar gateway --mock 3 --mqtt tcp://127.0.0.1:1883 --prometheus 127.0.0.1:9464"
     })
 public final class GatewayMain implements Callable<Integer> {
-  private static final Logger LOG = LoggerFactory.getLogger(GatewayMain.class);
   private static final List<OutputKind<?>> KINDS =
       List.of(new PrometheusKind(), new MqttKind(), new OpcUaKind());
   private static final long CHANGE_CHECK_SECONDS = 1;
@@ -145,7 +143,7 @@ public final class GatewayMain implements Callable<Integer> {
     }
     try (SimulatedRobots simulated = new SimulatedRobots(mocks)) {
       GatewayConfig config = read(simulated.robots());
-      print(config);
+      print(config.plant());
       if (dryRun) {
         return 0;
       }
@@ -175,31 +173,17 @@ public final class GatewayMain implements Callable<Integer> {
   private void follow(
       Gateway gateway, GatewayConfig first, Map<String, Robot> mocked, CountDownLatch end)
       throws InterruptedException {
-    GatewayConfig current = first;
-    String refused = "";
+    ConfigFollower follower = new ConfigFollower(gateway, first, () -> read(mocked));
     while (!end.await(CHANGE_CHECK_SECONDS, TimeUnit.SECONDS)) {
-      try {
-        GatewayConfig next = read(mocked);
-        if (!next.equals(current)) {
-          current = next;
-          gateway.apply(next);
-          LOG.info("the configuration has changed");
-          print(next);
-        }
-        refused = "";
-      } catch (IOException e) {
-        String message = String.valueOf(e.getMessage());
-        if (!message.equals(refused)) {
-          LOG.error("the new configuration is refused, the old one stays: {}", message);
-        }
-        refused = message;
+      if (follower.check()) {
+        print(gateway.plant());
       }
     }
   }
 
-  private void print(GatewayConfig config) {
+  private void print(Plant plant) {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    for (PollPlan plan : config.plant().plans()) {
+    for (PollPlan plan : plant.plans()) {
       out.println(plan.text());
     }
     out.flush();

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
@@ -31,6 +32,7 @@ class GatewayTest {
   @TempDir private Path folder;
   private final List<String> events = Collections.synchronizedList(new ArrayList<>());
   private final BlockingQueue<Update> updates = new LinkedBlockingQueue<>();
+  private volatile boolean occupied;
   private Gateway gateway;
 
   @AfterEach
@@ -53,7 +55,7 @@ class GatewayTest {
 
     @Override
     public Output open(String settings, GatewayContext context) throws IOException {
-      if (settings.equals("cannot start")) {
+      if (settings.equals("cannot start") || occupied) {
         throw new IOException("the output cannot start");
       }
       events.add("open " + settings);
@@ -177,5 +179,38 @@ class GatewayTest {
     assertThatThrownBy(() -> gateway.apply(next)).hasMessage("the output cannot start");
 
     assertThat(gateway.robots()).hasSize(2);
+  }
+
+  @Test
+  void anOutputThatCouldNotStartIsTriedAgain() throws Exception {
+    GatewayConfig before = config("\"$OV_PRO\"", "a", first);
+    start(before);
+    GatewayConfig next = config("\"$OV_PRO\"", "b", first);
+    ConfigFollower follower = new ConfigFollower(gateway, before, () -> next);
+    occupied = true;
+    assertThat(follower.check()).isFalse();
+    occupied = false;
+
+    while (!follower.check()) {
+      assertThat(events).endsWith("close a");
+    }
+
+    assertThat(events).endsWith("open b", "added first");
+    assertThat(follower.check()).isFalse();
+  }
+
+  @Test
+  void theConfigurationBeforeIsTakenAgainAfterOneThatCouldNotStart() throws Exception {
+    GatewayConfig before = config("\"$OV_PRO\"", "a", first);
+    start(before);
+    AtomicReference<GatewayConfig> file =
+        new AtomicReference<>(config("\"$OV_PRO\"", "cannot start", first));
+    ConfigFollower follower = new ConfigFollower(gateway, before, file::get);
+    assertThat(follower.check()).isFalse();
+
+    file.set(before);
+
+    assertThat(follower.check()).isTrue();
+    assertThat(events).endsWith("close a", "open a", "added first");
   }
 }

@@ -1,0 +1,84 @@
+package no.hials.crosscom.gateway;
+
+import java.io.IOException;
+import no.hials.crosscom.cell.FileException;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Lets a gateway follow its configuration. A configuration with an error is not taken. If an output
+ * or a robot of a good one cannot start, that is tried again. Not thread-safe.
+ */
+final class ConfigFollower {
+  private static final Logger LOG = LoggerFactory.getLogger(ConfigFollower.class);
+
+  /** The checks from one attempt to the next, since a start costs time and lines in the log. */
+  private static final int CHECKS_TO_RETRY = 10;
+
+  private final Gateway gateway;
+  private final Source source;
+  private GatewayConfig current;
+  private int checksToRetry;
+  private String failure = "";
+
+  /** Reads the configuration. */
+  @FunctionalInterface
+  interface Source {
+    /**
+     * Reads the configuration of now.
+     *
+     * @throws FileException if something is wrong with it
+     */
+    GatewayConfig read() throws FileException;
+  }
+
+  /**
+   * Creates a follower.
+   *
+   * @param first the configuration that the gateway has
+   */
+  ConfigFollower(Gateway gateway, GatewayConfig first, Source source) {
+    this.gateway = gateway;
+    this.current = first;
+    this.source = source;
+  }
+
+  /** Takes the configuration if it has changed, and returns whether that was done. */
+  boolean check() {
+    GatewayConfig next;
+    try {
+      next = source.read();
+    } catch (FileException e) {
+      fail("the configuration is not taken, the one before stays: " + e.getMessage());
+      return false;
+    }
+    boolean again = checksToRetry > 0 && --checksToRetry == 0;
+    if (next.equals(current) && !again) {
+      if (checksToRetry == 0) {
+        failure = "";
+      }
+      return false;
+    }
+    current = next;
+    try {
+      gateway.apply(next);
+    } catch (IOException e) {
+      checksToRetry = CHECKS_TO_RETRY;
+      fail(
+          "the configuration has changed, but a part of it cannot start, which is tried again: "
+              + e.getMessage());
+      return false;
+    }
+    checksToRetry = 0;
+    failure = "";
+    LOG.info("the configuration has changed");
+    return true;
+  }
+
+  private void fail(String message) {
+    if (!message.equals(failure)) {
+      LOG.error("{}", message);
+    }
+    failure = message;
+  }
+}

@@ -1,5 +1,6 @@
 package no.hials.crosscom.gateway.internal.mqtt;
 
+import java.io.IOException;
 import java.math.BigDecimal;
 import java.net.URI;
 import java.nio.file.Path;
@@ -203,7 +204,7 @@ public final class MqttKind implements OutputKind<MqttSettings> {
   }
 
   @Override
-  public Output open(MqttSettings settings, GatewayContext context) {
+  public Output open(MqttSettings settings, GatewayContext context) throws IOException {
     return new MqttOutput(settings, context);
   }
 }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.gateway.internal.mqtt;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.UUID;
@@ -9,6 +10,7 @@ import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
 import no.hials.crosscom.gateway.internal.broker.CommandQueue;
+import no.hials.crosscom.gateway.internal.broker.FolderLock;
 import no.hials.crosscom.gateway.internal.broker.Session;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
@@ -20,8 +22,8 @@ import org.slf4j.LoggerFactory;
 final class MqttOutput implements Output {
   private static final Logger LOG = LoggerFactory.getLogger(MqttOutput.class);
 
+  private final FolderLock lock;
   private final Session session;
-
   private final PlainTraffic traffic;
   private final @Nullable CommandQueue commands;
   private final @Nullable Sparkplug sparkplug;
@@ -29,12 +31,13 @@ final class MqttOutput implements Output {
   /** The connection for Sparkplug, since a connection has only one will. */
   private record Sparkplug(Session session, SparkplugTraffic traffic) {}
 
-  MqttOutput(MqttSettings settings, GatewayContext context) {
+  MqttOutput(MqttSettings settings, GatewayContext context) throws IOException {
     BrokerSettings broker = settings.broker();
     if (broker.clientId() == null) {
       broker = broker.withClientId("jopenshowvar-" + UUID.randomUUID().toString().substring(0, 8));
     }
     Path folder = context.folder().resolve("mqtt-store");
+    lock = FolderLock.of(folder);
     session = new Session(broker, "plain", folder.resolve("plain"), context.health());
     commands = settings.commands() ? new CommandQueue(context) : null;
     traffic = plainTraffic(settings, context, commands);
@@ -101,5 +104,6 @@ final class MqttOutput implements Output {
     if (sparkplug != null) {
       sparkplug.session.close();
     }
+    lock.close();
   }
 }

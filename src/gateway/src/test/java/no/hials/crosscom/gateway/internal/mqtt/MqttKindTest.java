@@ -3,18 +3,29 @@ package no.hials.crosscom.gateway.internal.mqtt;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.gateway.Gateway;
+import no.hials.crosscom.gateway.GatewayConfig;
+import no.hials.crosscom.gateway.OutputKind;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class MqttKindTest {
   @TempDir private Path folder;
+  @KukaController private MockServer robot;
 
   private MqttSettings read(String... lines) throws FileException {
     String text = "[mqtt]\n" + String.join("\n", lines);
@@ -110,5 +121,31 @@ class MqttKindTest {
     assertThat(topics.target("robots/a%2Fb/X%2B%23%25/set")).containsExactly("a/b", "X+#%");
     assertThat(topics.target("robots/a/b/c/set")).isNull();
     assertThat(topics.target("robots/set")).isNull();
+  }
+
+  @Test
+  @Timeout(60)
+  void twoGatewaysCannotUseOneFolder(@TempDir Path data) throws Exception {
+    List<OutputKind<?>> kinds = List.of(new MqttKind());
+    TomlTable root =
+        TomlTable.parse(
+            folder.resolve("plant.toml"),
+            """
+            [robots.cell1]
+            host = "%s:%d"
+            [mqtt]
+            url = "tcp://%s:%d"
+            """
+                .formatted(robot.host(), robot.port(), robot.host(), robot.port()));
+    GatewayConfig config = GatewayConfig.read(root, data, Map.of(), kinds);
+
+    try (Gateway first = Gateway.start(config, kinds, RobotConnection::openLazily)) {
+      assertThatExceptionOfType(IOException.class)
+          .isThrownBy(() -> Gateway.start(config, kinds, RobotConnection::openLazily))
+          .withMessageContaining("another gateway uses " + data.resolve("mqtt-store"));
+      assertThat(first.robots()).hasSize(1);
+    }
+
+    Gateway.start(config, kinds, RobotConnection::openLazily).close();
   }
 }

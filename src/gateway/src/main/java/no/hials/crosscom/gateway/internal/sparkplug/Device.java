@@ -73,10 +73,19 @@ final class Device {
       KrlValue value = update.value();
       if (update.quality() == Quality.GOOD && value != null) {
         known.add(variable.key());
+        Set<DeviceMetric> present = new HashSet<>();
         for (Leaf leaf : Leaf.of(variable.key(), value)) {
           DeviceMetric metric = metric(leaf, variable);
           changed |= metric.take(leaf, update.time());
+          present.add(metric);
           touched.add(metric);
+        }
+        for (DeviceMetric metric : metrics.values()) {
+          if (metric.isOf(variable.key()) && metric.isGood() && !present.contains(metric)) {
+            // a field that the value has no more
+            metric.without(Quality.BAD, update.time());
+            touched.add(metric);
+          }
         }
       } else {
         if (update.quality() == Quality.BAD) {

@@ -65,6 +65,10 @@ final class DeviceMetric {
     return type;
   }
 
+  boolean isGood() {
+    return quality == Quality.GOOD;
+  }
+
   boolean isOf(String key) {
     return variable.equals(key);
   }

@@ -1,0 +1,77 @@
+package no.hials.crosscom.gateway.internal.sparkplug;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.PlannedVariable;
+import no.hials.crosscom.cell.feed.PlantFile;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.Quality;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.value.KrlValue;
+import org.eclipse.tahu.message.model.Metric;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class DeviceTest {
+  @KukaController private MockServer robot;
+  private RobotFeed feed;
+  private Device device;
+
+  @BeforeEach
+  void open() throws Exception {
+    String text =
+        """
+        [robots.cell1]
+        host = "%s:%d"
+        [groups.all]
+        variables = ["S"]
+        period = "1s"
+        """
+            .formatted(robot.host(), robot.port());
+    PollPlan plan =
+        PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of()).plans().get(0);
+    feed = RobotFeed.open(plan, RobotConnection::openLazily, (one, updates) -> {});
+    device = new Device(feed, new AtomicLong()::incrementAndGet);
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    feed.close();
+  }
+
+  private List<DeviceMetric> take(String value) {
+    PlannedVariable variable = feed.plan().variables().get("S");
+    return device.take(
+        List.of(new Update(variable, Instant.now(), Quality.GOOD, KrlValue.parse(value), "")));
+  }
+
+  @Test
+  void aFieldThatAStructureHasNoMoreIsBad() throws Exception {
+    take("{X 1.0, Y 2.0}");
+
+    List<DeviceMetric> touched = take("{X 3.0}");
+
+    assertThat(touched).extracting(DeviceMetric::name).containsExactly("S.X", "S.Y");
+    assertThat(device.birth()).extracting(Metric::getValue).containsExactly(3f, null);
+    assertThat(touched.get(1).data().getProperties().getPropertyMap().get("Quality").getValue())
+        .isEqualTo(0);
+    assertThat(take("{X 3.0}")).extracting(DeviceMetric::name).containsExactly("S.X");
+
+    take("{X 3.0, Y 4.0}");
+
+    assertThat(device.birth()).extracting(Metric::getValue).containsExactly(3f, 4f);
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package no.hials.crosscom.gateway.internal.sparkplug;
+
+import org.jspecify.annotations.NullMarked;

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -10,6 +11,7 @@ import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.GatewayContext;
@@ -27,14 +29,26 @@ public final class CommandQueue implements AutoCloseable {
   private static final int LONGEST_VALUE = 4096;
   private static final int IDLE_SECONDS = 10;
 
+  /** A command that waited longer, behind those that a robot did not answer, is out of date. */
+  private static final Duration LONGEST_WAIT = Duration.ofSeconds(5);
+
+  private static final String TOO_LATE =
+      "not executed: it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
+
   private final GatewayContext context;
+  private final LongSupplier nanoTime;
   private final Counter counter;
   private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
   private volatile boolean closed;
 
   /** Creates an object that writes with the permissions of the gateway. */
   public CommandQueue(GatewayContext context) {
+    this(context, System::nanoTime);
+  }
+
+  CommandQueue(GatewayContext context, LongSupplier nanoTime) {
     this.context = context;
+    this.nanoTime = nanoTime;
     this.counter =
         context.health().counter("mqtt_commands", "Commands from topics, by result", "result");
     List.of("done", "failed", "refused").forEach(counter::initLabelValues);
@@ -71,10 +85,16 @@ public final class CommandQueue implements AutoCloseable {
               who, robot, variable, "the value has more than " + LONGEST_VALUE + " characters"));
       return;
     }
+    long latest = nanoTime.getAsLong() + LONGEST_WAIT.toNanos();
     try {
       threads
           .computeIfAbsent(robot, CommandQueue::newThread)
-          .execute(() -> result.accept(write(who, feed, variable, value)));
+          .execute(
+              () ->
+                  result.accept(
+                      nanoTime.getAsLong() - latest > 0
+                          ? refused(who, robot, variable, TOO_LATE)
+                          : write(who, feed, variable, value)));
     } catch (RejectedExecutionException e) {
       result.accept(
           refused(who, robot, variable, "not executed: " + WAITING + " commands are waiting"));

@@ -1,0 +1,102 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PlantFile;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Writes;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(60)
+class CommandQueueTest {
+  @KukaController private MockServer server;
+  @TempDir private Path folder;
+
+  /** The parts of a gateway with one robot. */
+  private record Context(Plant plant, RobotFeed robot, Path folder, Health health)
+      implements GatewayContext {
+    @Override
+    public RobotFeed robot(String name) {
+      return robot;
+    }
+
+    @Override
+    public Writes writes() {
+      return new Writes(new AuditLog(folder));
+    }
+  }
+
+  private Plant plant() throws Exception {
+    String text =
+        """
+        [robots.cell1]
+        host = "%s:%d"
+        [variables.MYINT]
+        range = [0, 10]
+        write = true
+        """
+            .formatted(server.host(), server.port());
+    return PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of());
+  }
+
+  @Test
+  void aCommandThatWaitedTooLongIsNotExecuted() throws Exception {
+    server.variables().set("MYINT", "1");
+    Plant plant = plant();
+    AtomicLong now = new AtomicLong();
+    CountDownLatch released = new CountDownLatch(1);
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (RobotFeed feed =
+            RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
+        CommandQueue queue =
+            new CommandQueue(new Context(plant, feed, folder, new Health()), now::get)) {
+      queue.execute(
+          "test",
+          "cell1",
+          "MYINT",
+          "2",
+          result -> {
+            results.add(result);
+            awaitUninterruptibly(released);
+          });
+      assertThat(results.take()).isEqualTo("done");
+      queue.execute("test", "cell1", "MYINT", "3", results::add);
+
+      now.set(Duration.ofSeconds(5).toNanos() + 1);
+      released.countDown();
+
+      assertThat(results.take())
+          .isEqualTo("not executed: it waited more than 5 s for others to end");
+      queue.execute("test", "cell1", "MYINT", "4", results::add);
+      assertThat(results.take()).isEqualTo("done");
+    }
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
+    assertThat(server.variables().get("MYINT")).isEqualTo("4");
+  }
+
+  private static void awaitUninterruptibly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

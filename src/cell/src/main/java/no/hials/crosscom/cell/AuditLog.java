@@ -61,7 +61,7 @@ public final class AuditLog {
     listeners.add(listener);
   }
 
-  /** Writes a line. A change is made even if the line cannot be written, which is logged. */
+  /** Writes a line. A change is made even if the line cannot be written; then it is logged. */
   public void add(Entry entry) {
     String line = line(Instant.now(), entry);
     synchronized (writing) {
@@ -75,7 +75,7 @@ public final class AuditLog {
             StandardOpenOption.CREATE,
             StandardOpenOption.APPEND);
       } catch (IOException | UncheckedIOException e) {
-        LOG.warn("cannot write {}: {}", file, e.toString());
+        LOG.warn("cannot write {}: {}; the line is {}", file, e.toString(), line);
       }
     }
     listeners.forEach(listener -> listener.accept(line));

@@ -149,7 +149,9 @@ public final class MqttKind implements OutputKind<MqttSettings> {
       throw table.error(PASSWORD_FILE, "needs a user");
     }
     try {
-      String unused = BrokerSettings.password(file);
+      if (BrokerSettings.password(file).isEmpty()) {
+        throw new FileException(file + " has no password");
+      }
     } catch (FileException e) {
       throw table.error(PASSWORD_FILE, String.valueOf(e.getMessage()));
     }

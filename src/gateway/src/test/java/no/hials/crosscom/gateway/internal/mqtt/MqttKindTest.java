@@ -98,13 +98,18 @@ class MqttKindTest {
   }
 
   @Test
-  void refusesFilesThatAreMissingOrNoCertificates() throws Exception {
+  void refusesFilesThatAreMissingOrEmptyOrNoCertificates() throws Exception {
+    Files.writeString(folder.resolve("empty"), "\n");
     Files.writeString(folder.resolve("ca.pem"), "no certificate");
     String url = "url = \"ssl://broker\"";
 
     assertThatExceptionOfType(FileException.class)
         .isThrownBy(() -> read(url, "user = \"me\"", "password-file = \"none\""))
         .withMessageContaining("mqtt.password-file: cannot read");
+    assertThatExceptionOfType(FileException.class)
+        .isThrownBy(() -> read(url, "user = \"me\"", "password-file = \"empty\""))
+        .withMessageContaining("mqtt.password-file: ")
+        .withMessageContaining("has no password");
     assertThatExceptionOfType(FileException.class)
         .isThrownBy(() -> read(url, "ca-file = \"ca.pem\""))
         .withMessageContaining("mqtt.ca-file: ");

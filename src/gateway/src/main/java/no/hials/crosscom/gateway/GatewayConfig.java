@@ -45,7 +45,12 @@ public record GatewayConfig(Plant plant, Path folder, Map<String, Object> output
       }
     }
     GatewayConfig config = new GatewayConfig(PlantFile.read(root, more), folder, outputs);
-    config.plant.checkLoad();
+    try {
+      config.plant.checkLoad();
+    } catch (FileException e) {
+      String table = root.has("groups") ? "groups" : "robots";
+      throw new FileException(root.place(table) + ": " + e.getMessage(), e);
+    }
     return config;
   }
 }

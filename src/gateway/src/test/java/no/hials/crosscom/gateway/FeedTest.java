@@ -3,6 +3,9 @@ package no.hials.crosscom.gateway;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -37,6 +40,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.slf4j.LoggerFactory;
 
 /** The readings of one robot, and the writes to it. */
 @Timeout(60)
@@ -291,5 +295,26 @@ class FeedTest {
         .hasMessage("cell1: MYINT was not written: read-only = true in plant.toml:3");
     assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
     assertThat(KrlValue.parse(robot.variables().get("MYINT"))).isNotNull();
+  }
+
+  @Test
+  void aLineThatTheDiskDoesNotTakeIsLogged() throws Exception {
+    start("variables = [\"MYINT\"]", WRITABLE);
+    Path noFolder = Files.writeString(folder.resolve("file"), "");
+    ListAppender<ILoggingEvent> lines = new ListAppender<>();
+    Logger logger = (Logger) LoggerFactory.getLogger(AuditLog.class);
+    lines.start();
+    logger.addAppender(lines);
+    try {
+      new Writes(new AuditLog(noFolder)).write("mqtt:plc", plant, feed, "MYINT", "42");
+    } finally {
+      logger.detachAppender(lines);
+    }
+
+    assertThat(lines.list)
+        .singleElement()
+        .extracting(ILoggingEvent::getFormattedMessage)
+        .asString()
+        .contains("\"who\":\"mqtt:plc\"", "\"after\":\"42\",\"result\":\"done\"");
   }
 }

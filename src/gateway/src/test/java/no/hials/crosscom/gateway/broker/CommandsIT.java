@@ -94,6 +94,25 @@ class CommandsIT extends BrokerTest {
   }
 
   @Test
+  void doesNotAnswerToATopicOfSparkplug() throws Exception {
+    startWithCommands();
+    String death = "spBv1.0/group/NDEATH/node";
+    try (Observer observer = observer(broker).subscribe("spBv1.0/#")) {
+      observer.publish(
+          Mqtt5Publish.builder()
+              .topic(SET)
+              .payload("20".getBytes(UTF_8))
+              .responseTopic(death)
+              .build());
+      observer.await(RESULT, "done");
+      observer.publish(SET, "21", false);
+      observer.await(RESULT, "\"value\":\"21\"");
+
+      assertThat(observer.on(death)).isEmpty();
+    }
+  }
+
+  @Test
   void refusesWhatTheConfigurationDoesNotAllow() throws Exception {
     startWithCommands();
     try (Observer observer = observer(broker)) {

@@ -16,6 +16,7 @@ import java.util.function.Consumer;
 import no.hials.crosscom.gateway.internal.broker.CommandQueue;
 import no.hials.crosscom.gateway.internal.broker.Publication;
 import no.hials.crosscom.gateway.internal.broker.Received;
+import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import org.jspecify.annotations.Nullable;
 
 /** The commands on plain topics and the messages of their results. Thread-safe. */
@@ -132,8 +133,10 @@ final class TopicCommands {
             });
     results.accept(new Publication(Topics.result(command.topic()), payload, qos, false));
     String response = command.responseTopic();
-    // a topic of our own could be a command again
-    if (response != null && !response.startsWith(topics.prefix() + "/")) {
+    // a topic of our own could be a command again, or the death of a Sparkplug node
+    if (response != null
+        && !response.startsWith(topics.prefix() + "/")
+        && !response.startsWith(SparkplugId.NAMESPACE + "/")) {
       results.accept(
           new Publication(response, ByteBuffer.wrap(payload), qos, false, command.correlation()));
     }

@@ -7,8 +7,11 @@ package no.hials.crosscom.gateway.internal.sparkplug;
  * @param node the node in its group
  */
 public record SparkplugId(String group, String node) {
+  /** The first part of all topics of Sparkplug B. */
+  public static final String NAMESPACE = "spBv1.0";
+
   /** Returns a topic of the node. */
   String topic(String type) {
-    return "spBv1.0/" + group + "/" + type + "/" + node;
+    return NAMESPACE + "/" + group + "/" + type + "/" + node;
   }
 }

@@ -7,13 +7,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.KeyPair;
 import java.security.cert.X509Certificate;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Consumer;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.gateway.internal.opcua.OpcUaKind;
 import no.hials.crosscom.mock.MockServer;
@@ -184,6 +188,28 @@ class OpcUaSecurityTest {
   void nobodyReadsWithoutANameIfTheConfigurationForbidsIt() throws Exception {
     try (OpcUaPlant plant = plant("anonymous = false")) {
       assertThatThrownBy(plant::connect).isInstanceOf(Exception.class);
+    }
+  }
+
+  @Test
+  void aPortInUseIsAnErrorWithItsReason() throws Exception {
+    List<OutputKind<?>> kinds = List.of(new OpcUaKind());
+    try (ServerSocket other = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      TomlTable root =
+          TomlTable.parse(
+              folder.resolve("plant.toml"),
+              """
+              [robots.cell1]
+              host = "%s:%d"
+              [opcua]
+              address = "127.0.0.1:%d"
+              """
+                  .formatted(robot.host(), robot.port(), other.getLocalPort()));
+      GatewayConfig config = GatewayConfig.read(root, folder, Map.of(), kinds);
+
+      assertThatThrownBy(() -> Gateway.start(config, kinds, RobotConnection::openLazily))
+          .isInstanceOf(IOException.class)
+          .hasMessageContaining("127.0.0.1:" + other.getLocalPort() + ": Address already in use");
     }
   }
 

@@ -77,8 +77,8 @@ final class OpcUaOutput implements Output {
                 .counter("opcua_logins_refused", "Log-ins that the OPC UA server has refused"));
     writes = new RobotWrites(context);
     sessions = context.health().gauge("opcua_sessions", "Sessions of OPC UA clients");
+    port = freePort();
     pki = Pki.open(context.folder().resolve("opcua").resolve("pki"), settings.host());
-    port = settings.port() == 0 ? freePort() : settings.port();
     server =
         new OpcUaServer(
             config(),
@@ -96,9 +96,20 @@ final class OpcUaOutput implements Output {
     LOG.info("OPC UA: opc.tcp://{}:{}", settings.host(), port);
   }
 
+  /** Returns the port of the settings, or any for 0. The server does not tell why it has none. */
   private int freePort() throws IOException {
-    try (ServerSocket socket = new ServerSocket(0, 1, InetAddress.getByName(settings.host()))) {
+    try (ServerSocket socket =
+        new ServerSocket(settings.port(), 1, InetAddress.getByName(settings.host()))) {
       return socket.getLocalPort();
+    } catch (IOException e) {
+      throw new IOException(
+          "[opcua] cannot listen on "
+              + settings.host()
+              + ":"
+              + settings.port()
+              + ": "
+              + e.getMessage(),
+          e);
     }
   }
 

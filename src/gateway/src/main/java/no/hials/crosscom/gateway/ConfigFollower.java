@@ -6,8 +6,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Lets a gateway follow its configuration. A configuration with an error is not taken. If an output
- * or a robot of a good one cannot start, that is tried again. Not thread-safe.
+ * Lets a gateway follow its configuration. A configuration with an error is refused. If an output
+ * or a robot of a valid one cannot start, it is tried again. Not thread-safe.
  */
 final class ConfigFollower {
   private static final Logger LOG = LoggerFactory.getLogger(ConfigFollower.class);
@@ -43,13 +43,13 @@ final class ConfigFollower {
     this.source = source;
   }
 
-  /** Takes the configuration if it has changed, and returns whether that was done. */
+  /** Applies the configuration if it has changed, and returns whether it was applied. */
   boolean check() {
     GatewayConfig next;
     try {
       next = source.read();
     } catch (FileException e) {
-      fail("the configuration is not taken, the one before stays: " + e.getMessage());
+      fail("the new configuration is refused, the old one stays: " + e.getMessage());
       return false;
     }
     boolean again = checksToRetry > 0 && --checksToRetry == 0;

@@ -22,7 +22,9 @@ import org.jspecify.annotations.Nullable;
 record Line(KrlGrammarParser parser, List<Token> tokens, String comment) {
   /** The types that need no {@code DECL} (docs/reference/krl-language.md#declarations). */
   private static final Set<String> BASE_TYPES =
-      Set.of("INT", "REAL", "BOOL", "CHAR", "FRAME", "POS", "E6POS", "AXIS", "E6AXIS");
+      Set.of(
+          "INT", "REAL", "BOOL", "CHAR", "FRAME", "POS", "E3POS", "E6POS", "AXIS", "E3AXIS",
+          "E6AXIS");
 
   /** The tokens that can follow the first name of an assignment, a call or a label. */
   static final Set<Integer> AFTER_A_NAME =

@@ -27,6 +27,7 @@ class DeclarationTest {
         "DECL INT I, J            | Variables(false, false, INT, [Declarator(I, [], -),"
             + " Declarator(J, [], -)], )",
         "decl gripper_t g         | Variables(false, false, gripper_t, [Declarator(g, [], -)], )",
+        "E3AXIS A                 | Variables(false, false, E3AXIS, [Declarator(A, [], -)], )",
         "GLOBAL E6AXIS A[10]      | Variables(true, false, E6AXIS, [Declarator(A, [10], -)], )",
         "DECL GLOBAL REAL M[2,N,4] | Variables(true, false, REAL, [Declarator(M, [2, N, 4], -)], )",
         "GLOBAL DECL CHAR C[],D[,] | Variables(true, false, CHAR, [Declarator(C, [-], -),"

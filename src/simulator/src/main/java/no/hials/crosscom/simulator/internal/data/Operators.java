@@ -11,6 +11,7 @@ import no.hials.crosscom.protocol.value.KrlString;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.simulator.KrlExecutionException;
+import no.hials.crosscom.simulator.RefusedException;
 
 /**
  * Evaluates the operators of KRL. Assumed, since no source defines them
@@ -176,27 +177,43 @@ public final class Operators {
     return compare(left, right) == 0;
   }
 
-  /** Compares two numbers or two CHARs. */
+  /** Compares numbers and CHARs; a CHAR counts as its code beside a number (assumed). */
   static int compare(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return Integer.compare(a.value(), b.value());
     }
-    if (left instanceof KrlString a
-        && right instanceof KrlString b
-        && a.text().length() == 1
-        && b.text().length() == 1) {
-      return Character.compare(a.text().charAt(0), b.text().charAt(0));
+    if (isCharacter(left) && isCharacter(right)) {
+      return Integer.compare(code(left), code(right));
     }
     if (isNumber(left) && isNumber(right)) {
       return Double.compare(number(left), number(right));
     }
+    if (isNumber(left) && isCharacter(right)) {
+      return Double.compare(number(left), code(right));
+    }
+    if (isCharacter(left) && isNumber(right)) {
+      return Double.compare(code(left), number(right));
+    }
     throw new KrlExecutionException(
         KrlExecutionException.WRONG_TYPE,
-        "only two numbers, two CHAR, two BOOL or two ENUM can be compared, and only numbers and"
-            + " CHAR by order; was given "
+        "only numbers and CHAR, two BOOL or two ENUM can be compared, and only numbers and CHAR by"
+            + " order; was given "
             + left.print().strip()
             + " and "
             + right.print().strip());
+  }
+
+  private static boolean isCharacter(KrlValue value) {
+    return value instanceof KrlString string && string.text().length() == 1;
+  }
+
+  private static int code(KrlValue character) throws KrlExecutionException {
+    String text = ((KrlString) character).text();
+    try {
+      return CharacterCodes.codeOf(text.charAt(0));
+    } catch (RefusedException e) {
+      throw KrlExecutionException.of(text, e);
+    }
   }
 
   private static boolean isNumber(KrlValue value) {

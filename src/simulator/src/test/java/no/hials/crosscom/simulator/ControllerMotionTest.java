@@ -66,6 +66,14 @@ class ControllerMotionTest {
   }
 
   @Test
+  void ptpWithAStatusButNoTurnTurnsTheAxesAsLittleAsPossible() throws Exception {
+    cell.run("PTP {X 500,Y 100,Z 800,A 0,B 90,C 0,S 2}");
+    assertAt(500, 100, 800);
+    assertThat(controller.axes().a1()).isBetween(-30.0, 0.0);
+    assertThat(cell.get("$POS_ACT.S")).isEqualTo("2");
+  }
+
+  @Test
   void linKeepsToTheLineAndToWhatIsNotGiven() throws Exception {
     double x = pos("X");
     double z = pos("Z");

@@ -31,6 +31,9 @@ final class MotionResolver {
   /** Positions of doubles are exact to 0.001 mm up to here, mm. */
   private static final double FARTHEST = 1e9;
 
+  /** The number of values of the six bits of the Turn. */
+  private static final int TURNS = 64;
+
   private final SystemVariableAccess access;
   private final ExternalAxesData externalAxes;
   private final MotionSpeeds speeds;
@@ -269,8 +272,8 @@ final class MotionResolver {
   }
 
   /**
-   * Returns the axes that bring the tool to a position: with its Status and Turn, or else near
-   * other axes.
+   * Returns the axes that bring the tool to a position: with its Status and Turn, or else, of what
+   * it has, near other axes.
    *
    * @param near the axes from which missing components come
    * @param external the external axes at the position
@@ -286,8 +289,30 @@ final class MotionResolver {
     if (status.isEmpty()) {
       return robot.inverse(flange, near.robot());
     }
-    return robot.inverse(
-        flange, (int) status.getAsDouble(), (int) turn.orElse(robot.turn(near.robot())));
+    int wanted = (int) status.getAsDouble();
+    return turn.isPresent()
+        ? robot.inverse(flange, wanted, (int) turn.getAsDouble())
+        : nearest(flange, wanted, near.robot());
+  }
+
+  /** Returns the axes of a Status that are nearest to others, of all Turns. */
+  private Axis nearest(Frame flange, int status, Axis near) throws UnreachableException {
+    Axis nearest = null;
+    UnreachableException reason = null;
+    for (int turn = 0; turn < TURNS; turn++) {
+      try {
+        Axis axes = robot.inverse(flange, status, turn);
+        if (nearest == null || axes.largestDifference(near) < nearest.largestDifference(near)) {
+          nearest = axes;
+        }
+      } catch (UnreachableException e) {
+        reason = e;
+      }
+    }
+    if (nearest == null) {
+      throw Objects.requireNonNull(reason);
+    }
+    return nearest;
   }
 
   OrientationControl orientation() {

@@ -15,6 +15,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Spline motions as programs write them, sampled after every cycle. */
 class SplineProgramTest {
@@ -436,6 +437,38 @@ class SplineProgramTest {
     cell.controller.place(Cell.START);
     ride("TRIGGER WHEN DISTANCE=1 DELAY=0 DO $OUT[1]=TRUE\nLIN " + point(0, 100, 0));
     assertThat(firedAt()).isEqualTo(standsAt());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-60, -43, -41, -39, -30, -20, -10})
+  void aTriggerFiresWhereItIsInACorner(int mm) throws Exception {
+    ride(
+        "$VEL.CP=0.1\n$APO.CDIS=40\nTRIGGER WHEN PATH="
+            + mm
+            + " DELAY=0 DO $OUT[1]=TRUE\nLIN "
+            + point(0, 100, 0)
+            + " C_DIS\nLIN "
+            + point(0, 100, -100)
+            + "\n$OUT[1]=FALSE\n");
+
+    // the second half of the line is the first half of the parabola y = 60 + 40 t (2 - t), z = 40
+    // t²
+    double place = 100 + mm;
+    if (mm > -40) {
+      double length = 0;
+      double[] lengths = new double[2001];
+      for (int i = 1; i < lengths.length; i++) {
+        double t = (i - 0.5) / 2000;
+        length += Math.hypot(80 * (1 - t), 80 * t) / 2000;
+        lengths[i] = length;
+      }
+      int i = 0;
+      while (lengths[i] < length * (40 + mm) / 40 / 2) {
+        i++;
+      }
+      place = 60 + 40 * (i / 2000.0) * (2 - i / 2000.0);
+    }
+    assertThat(relative(firedAt()).y()).isBetween(place - 0.1, place + 1.3);
   }
 
   // sections

@@ -49,6 +49,13 @@ record Corner(
     return from + part * (join - from);
   }
 
+  /**
+   * Returns the position in place of one of the segment before: its end is the middle of the curve.
+   */
+  double positionOf(double positionBefore) {
+    return position(Math.max(0, (positionBefore - leave) / (1 - leave)) / 2);
+  }
+
   Axis external(double position, Travel next) {
     return external(before.travel(), leave, next, join, lengths.parameter(part(position)));
   }

@@ -186,11 +186,43 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
       throws MotionRefusedException {
     for (int i = -1; i < planned.size(); i++) {
       PathSegment segment = segment(i);
-      if (segment != null && segment.motion() != null && segment.motion().id() == motion) {
+      if (segment == null) {
+        continue;
+      }
+      Corner corner = segment.corner();
+      if (corner != null && isOf(motion, corner.before())) {
+        return Optional.of(find(i, segment, corner, at, lengths));
+      }
+      if (isOf(motion, segment)) {
         return find(i, segment, at, lengths);
       }
     }
     return Optional.empty();
+  }
+
+  /** Finds a place of a motion whose end has become the corner before a segment. */
+  private Place find(
+      int index, PathSegment segment, Corner corner, PathPoint at, PathLengths lengths)
+      throws MotionRefusedException {
+    PathSegment before = corner.before();
+    double point = before.path().parameter(at.point());
+    double beyond = at.mm() > 0 ? at.mm() - lengths.length(before, point) : -1;
+    if (beyond > 0) {
+      return within(index, corner, lengths.fromStart(segment, beyond));
+    }
+    return new Place(index, corner.positionOf(lengths.position(before, point, at.mm())));
+  }
+
+  private static Place within(int index, @Nullable Corner corner, double position) {
+    return new Place(
+        index,
+        corner != null && position < corner.join()
+            ? corner.position((1 + position / corner.join()) / 2)
+            : position);
+  }
+
+  private static boolean isOf(long motion, PathSegment segment) {
+    return segment.motion() != null && segment.motion().id() == motion;
   }
 
   private Optional<Place> find(int index, PathSegment segment, PathPoint at, PathLengths lengths)
@@ -206,18 +238,13 @@ record PlannedPath(@Nullable PathSegment running, double time, List<PathSegment>
     double position = lengths.position(segment, point, at.mm());
     Corner follows = next == null ? null : next.corner();
     if (follows != null && position > follows.leave()) {
-      double part = (position - follows.leave()) / (1 - follows.leave());
-      return Optional.of(new Place(index + 1, follows.position(part / 2)));
+      return Optional.of(new Place(index + 1, follows.positionOf(position)));
     }
     if (next != null && next.overlap() > 0) {
       double middle = segment.profile().position(segment.duration() - next.overlap() / 2);
       position = Math.min(position, middle);
     }
-    Corner corner = segment.corner();
-    if (corner != null && position < corner.join()) {
-      return Optional.of(new Place(index, corner.position((1 + position / corner.join()) / 2)));
-    }
-    return Optional.of(new Place(index, position));
+    return Optional.of(within(index, segment.corner(), position));
   }
 
   /**

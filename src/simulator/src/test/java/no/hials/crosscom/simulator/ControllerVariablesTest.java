@@ -43,6 +43,24 @@ class ControllerVariablesTest {
   // programs
 
   @Test
+  void aProgramSetsTheHomesAndTolerances() throws Exception {
+    cell.run(
+        """
+        $AXIS_HOME[2]={A1 5.0,A2 -90.0,A3 90.0,A4 0.0,A5 0.0,A6 0.0}
+        $H_POS_TOL.A1=1.5
+        $H_AXIS_TOL[2].A1=1.5
+        $APO_DIS_PTP[1]=45
+        $SINGUL_STRATEGY=1
+        $SINGUL_POS[3]=1
+        $DEACTIVATE_ABS_ACCUR=TRUE
+        """);
+
+    assertThat(read("$AXIS_HOME[2].A1")).isEqualTo("5.00000");
+    assertThat(read("$H_POS_TOL.A1")).isEqualTo("1.50000");
+    assertThat(read("$DEACTIVATE_ABS_ACCUR")).isEqualTo("TRUE");
+  }
+
+  @Test
   void thePointerFollowsTheLines() throws Exception {
     cell.startModule(
         "TEST", Cell.module("TEST", "MYINT=1\nSUB1()") + Cell.module("SUB1", "WAIT FOR FALSE"));

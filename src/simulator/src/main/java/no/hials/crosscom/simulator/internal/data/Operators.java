@@ -183,7 +183,7 @@ public final class Operators {
       return Integer.compare(a.value(), b.value());
     }
     if (isCharacter(left) && isCharacter(right)) {
-      return Integer.compare(code(left), code(right));
+      return Character.compare(character(left), character(right));
     }
     if (isNumber(left) && isNumber(right)) {
       return Double.compare(number(left), number(right));
@@ -207,12 +207,15 @@ public final class Operators {
     return value instanceof KrlString string && string.text().length() == 1;
   }
 
-  private static int code(KrlValue character) throws KrlExecutionException {
-    String text = ((KrlString) character).text();
+  private static char character(KrlValue value) {
+    return ((KrlString) value).text().charAt(0);
+  }
+
+  private static int code(KrlValue value) throws KrlExecutionException {
     try {
-      return CharacterCodes.codeOf(text.charAt(0));
+      return CharacterCodes.codeOf(character(value));
     } catch (RefusedException e) {
-      throw KrlExecutionException.of(text, e);
+      throw KrlExecutionException.of(value.print(), e);
     }
   }
 

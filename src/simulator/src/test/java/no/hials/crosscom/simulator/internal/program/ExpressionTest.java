@@ -97,6 +97,7 @@ class ExpressionTest {
     "#RED == #red, TRUE",
     "COL <> #BLUE, TRUE",
     "C == \"x\", TRUE",
+    "C == \"Ł\", FALSE",
     "C == 120, TRUE",
     "120.0 <> C, FALSE",
     "C >= 'H30', TRUE",

@@ -24,13 +24,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * The records of a sink task and what was committed of them. Before records are written, their
  * offset is committed together with a claim, in the metadata of the offset: the owner, and the
- * offset where the claim begins. Only the member of the group that has the partition can commit,
- * and only the owner who reads its own claim back may write. A claim that is still there when a
- * partition is assigned is of a task that ended in between: whether its records were written is
- * unknown. Not thread-safe.
+ * offsets where the claim begins and ends. Only the member of the group that has the partition can
+ * commit, and only the owner who reads its own claim back may write. A claim that is still there
+ * when a partition is assigned is of a task that ended in between: whether its records were written
+ * is unknown. Not thread-safe.
  */
 public final class Claims implements AutoCloseable {
-  private static final Pattern METADATA = Pattern.compile("jopenshowvar (\\S+) from (\\d+)");
+  private static final Pattern METADATA =
+      Pattern.compile("jopenshowvar (\\S+) from (\\d+) to (\\d+)");
 
   private final Admin admin;
   private final String group;
@@ -93,8 +94,8 @@ public final class Claims implements AutoCloseable {
       partitions.put(one, partition);
       OffsetAndMetadata offset = committed.get(one);
       Matcher claim = METADATA.matcher(offset == null ? "" : offset.metadata());
-      if (offset != null && claim.matches() && Long.parseLong(claim.group(2)) < offset.offset()) {
-        partition.unknown = offset.offset();
+      if (claim.matches() && Long.parseLong(claim.group(2)) < Long.parseLong(claim.group(3))) {
+        partition.unknown = Long.parseLong(claim.group(3));
         back.put(one, Long.parseLong(claim.group(2)));
       }
     }
@@ -157,8 +158,7 @@ public final class Claims implements AutoCloseable {
     current.forEach(
         (one, position) -> {
           Partition partition = partitions.get(one);
-          // what is unknown stays as it was committed, until it is reported
-          if (partition != null && position.offset() >= partition.unknown) {
+          if (partition != null) {
             offsets.put(one, offset(partition, position.offset()));
           }
         });
@@ -167,8 +167,10 @@ public final class Claims implements AutoCloseable {
 
   private OffsetAndMetadata offset(Partition partition, long position) {
     long from = partition.first(position);
-    long to = partition.hasClaimed() ? partition.claimed : from;
-    return new OffsetAndMetadata(to, "jopenshowvar " + owner + " from " + from);
+    // what is unknown stays claimed until it is reported: Connect commits all partitions together
+    long to = partition.hasClaimed() ? partition.claimed : Math.max(from, partition.unknown);
+    return new OffsetAndMetadata(
+        Math.min(to, position), "jopenshowvar " + owner + " from " + from + " to " + to);
   }
 
   /**

@@ -107,8 +107,12 @@ final class Broker implements AutoCloseable {
   }
 
   void createTopic(String name) throws Exception {
+    createTopic(name, 1);
+  }
+
+  void createTopic(String name, int partitions) throws Exception {
     try (Admin admin = admin()) {
-      admin.createTopics(List.of(new NewTopic(name, 1, (short) 1))).all().get();
+      admin.createTopics(List.of(new NewTopic(name, partitions, (short) 1))).all().get();
     }
   }
 

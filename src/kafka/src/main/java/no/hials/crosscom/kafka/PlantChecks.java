@@ -12,7 +12,9 @@ final class PlantChecks {
   /** Adds what is wrong with the file to the errors of its property. */
   static Config check(Config config) {
     for (ConfigValue value : config.configValues()) {
-      if (value.name().equals(ConnectorSettings.PLANT) && value.value() instanceof String file) {
+      if (value.name().equals(ConnectorSettings.PLANT)
+          && value.errorMessages().isEmpty()
+          && value.value() instanceof String file) {
         try {
           String unused = ConnectorSettings.plantText(file);
         } catch (FileException e) {

@@ -1,11 +1,13 @@
 package no.hials.crosscom.kafka;
 
+import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.PlantWatch;
+import org.apache.kafka.common.KafkaException;
 import org.apache.kafka.common.config.Config;
 import org.apache.kafka.common.config.ConfigDef;
 import org.apache.kafka.common.config.ConfigValue;
@@ -51,7 +53,22 @@ public final class RobotSinkConnector extends SinkConnector {
         }
       }
     }
+    if (config.configValues().stream().allMatch(value -> value.errorMessages().isEmpty())) {
+      checkAdmin(config, properties);
+    }
     return config;
+  }
+
+  /** Adds what is wrong with the settings of the client of the brokers, which is not connected. */
+  private static void checkAdmin(Config config, Map<String, String> properties) {
+    try {
+      ConnectorSettings.of(ConnectorSettings.SINK, properties).admin().close(Duration.ZERO);
+    } catch (KafkaException e) {
+      String reason = e.getCause() == null ? e.getMessage() : e.getCause().getMessage();
+      config.configValues().stream()
+          .filter(value -> value.name().equals(ConnectorSettings.BOOTSTRAP))
+          .forEach(value -> value.addErrorMessage(String.valueOf(reason)));
+    }
   }
 
   @Override

@@ -21,8 +21,6 @@ import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.Lease;
 import no.hials.crosscom.kafka.internal.SinkCommand;
-import org.apache.kafka.clients.CommonClientConfigs;
-import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
 import org.apache.kafka.connect.errors.ConnectException;
@@ -90,13 +88,9 @@ public final class RobotSinkTask extends SinkTask {
     }
     writes = new Writes(new AuditLog(Path.of(read.getString(ConnectorSettings.AUDIT))));
     lease = new Lease(read.time(ConnectorSettings.LEASE));
-    Map<String, Object> admin = read.originalsWithPrefix(ConnectorSettings.ADMIN_PREFIX);
-    admin.put(
-        CommonClientConfigs.BOOTSTRAP_SERVERS_CONFIG,
-        String.join(",", read.getList(ConnectorSettings.BOOTSTRAP)));
     String group =
         properties.getOrDefault("consumer.override.group.id", "connect-" + read.connector());
-    claims = new Claims(Admin.create(admin), group, PATIENCE);
+    claims = new Claims(read.admin(), group, PATIENCE);
     if (context.errantRecordReporter() == null) {
       throw new ConnectException("the sink needs a dead-letter topic");
     }

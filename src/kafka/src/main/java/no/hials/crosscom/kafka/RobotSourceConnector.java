@@ -9,6 +9,7 @@ import no.hials.crosscom.kafka.internal.PlantText;
 import no.hials.crosscom.kafka.internal.PlantWatch;
 import org.apache.kafka.common.config.Config;
 import org.apache.kafka.common.config.ConfigDef;
+import org.apache.kafka.common.config.ConfigValue;
 import org.apache.kafka.connect.connector.Task;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.source.ExactlyOnceSupport;
@@ -36,7 +37,15 @@ public final class RobotSourceConnector extends SourceConnector {
 
   @Override
   public Config validate(Map<String, String> properties) {
-    return PlantChecks.check(super.validate(properties));
+    Config config = PlantChecks.check(super.validate(properties));
+    for (ConfigValue value : config.configValues()) {
+      if (value.name().equals(ConnectorSettings.LEASE_TOPIC)
+          && value.value() instanceof String topic
+          && topic.equals(properties.getOrDefault(ConnectorSettings.TOPIC, "robots"))) {
+        value.addErrorMessage("must not be the topic of the samples, " + topic);
+      }
+    }
+    return config;
   }
 
   @Override

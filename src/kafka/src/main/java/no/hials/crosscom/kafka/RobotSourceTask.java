@@ -215,7 +215,7 @@ public final class RobotSourceTask extends SourceTask {
     return new Given(
         robot.partition(),
         robot.offset(),
-        own.getString(ConnectorSettings.TOPIC).replace("{robot}", robot.name()),
+        own.topic(robot.name()),
         robot.name(),
         value,
         item.time(),

@@ -7,9 +7,12 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.regex.Pattern;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
+import org.apache.kafka.clients.CommonClientConfigs;
+import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.common.config.AbstractConfig;
 import org.apache.kafka.common.config.ConfigDef;
 import org.apache.kafka.common.config.ConfigDef.Importance;
@@ -49,12 +52,23 @@ public final class ConnectorSettings extends AbstractConfig {
   public static final String BOOTSTRAP = "bootstrap.servers";
 
   /** The prefix of further settings of the client that verifies the claims. */
-  public static final String ADMIN_PREFIX = "admin.";
+  private static final String ADMIN_PREFIX = "admin.";
 
   // from a connector to its tasks
   private static final String TASK_PLANT = "task.plant";
   private static final String TASK_ROBOTS = "task.robots";
   private static final String TASK_NUMBER = "task.number";
+
+  /** Replaced by the name of the robot in the pattern of a topic. */
+  private static final String ROBOT = "{robot}";
+
+  private static final String TOPIC_RULE =
+      "letters, digits, _, - and ., at most 249, and not only dots";
+
+  private static final Pattern TOPIC_NAME = Pattern.compile("(?!\\.{1,2}$)[a-zA-Z0-9._-]{1,249}");
+
+  /** The longest lease, and the longest wait after it, in ms. */
+  private static final long LONGEST = 3_600_000;
 
   /** The properties of the source connector. */
   public static final ConfigDef SOURCE =
@@ -63,26 +77,28 @@ public final class ConnectorSettings extends AbstractConfig {
               TOPIC,
               ConfigDef.Type.STRING,
               "robots",
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkTopic, () -> TOPIC_RULE),
               Importance.HIGH,
               "The topic of the samples; {robot} in it is replaced by the name of the robot")
           .define(
               LEASE_TOPIC,
               ConfigDef.Type.STRING,
               "robots-leases",
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkTopic, () -> TOPIC_RULE),
               Importance.MEDIUM,
               "The topic of the records that renew the leases and show the figures of each task")
           .define(
               LEASE_RECOVERY,
               ConfigDef.Type.LONG,
               10_000,
-              Range.atLeast(0),
+              Range.between(0, LONGEST),
               Importance.MEDIUM,
               "How long a task that has lost its lease waits before it uses robots again, in ms")
           .define(
               BUFFER,
               ConfigDef.Type.INT,
               10_000,
-              Range.atLeast(1),
+              Range.between(1, 1_000_000),
               Importance.LOW,
               "The number of samples that may wait until Connect takes them; more are counted as"
                   + " lost");
@@ -105,6 +121,8 @@ public final class ConnectorSettings extends AbstractConfig {
           .define(
               AUDIT,
               ConfigDef.Type.STRING,
+              ConfigDef.NO_DEFAULT_VALUE,
+              new ConfigDef.NonEmptyString(),
               Importance.HIGH,
               "The folder of audit.jsonl on each worker")
           .define(
@@ -119,18 +137,27 @@ public final class ConnectorSettings extends AbstractConfig {
     super(definition, properties, false);
   }
 
+  private static void checkTopic(String key, Object value) {
+    String topic = String.valueOf(value).replace(ROBOT, "r");
+    if (!TOPIC_NAME.matcher(topic).matches()) {
+      throw new ConfigException(key, value, "must be " + TOPIC_RULE);
+    }
+  }
+
   private static ConfigDef common() {
     return new ConfigDef()
         .define(
             PLANT,
             ConfigDef.Type.STRING,
+            ConfigDef.NO_DEFAULT_VALUE,
+            new ConfigDef.NonEmptyString(),
             Importance.HIGH,
             "The TOML file with the robots and their variables, on each worker")
         .define(
             LEASE,
             ConfigDef.Type.LONG,
             3000,
-            Range.atLeast(500),
+            Range.between(500, LONGEST),
             Importance.MEDIUM,
             "How long a task uses robots after the last proof that it reaches the broker, in ms;"
                 + " at most session.timeout.ms - heartbeat.interval.ms - 500");
@@ -151,6 +178,19 @@ public final class ConnectorSettings extends AbstractConfig {
     String text = TomlTable.textOf(Path.of(file));
     Plant unused = PlantText.read(file, text);
     return text;
+  }
+
+  /** Returns the topic of the samples of a robot. */
+  public String topic(String robot) {
+    return getString(TOPIC).replace(ROBOT, robot);
+  }
+
+  /** Returns a client of the brokers of the sink connector. */
+  public Admin admin() {
+    Map<String, Object> properties = originalsWithPrefix(ADMIN_PREFIX);
+    properties.put(
+        CommonClientConfigs.BOOTSTRAP_SERVERS_CONFIG, String.join(",", getList(BOOTSTRAP)));
+    return Admin.create(properties);
   }
 
   /** Returns the time of a property in ms. */

@@ -1,0 +1,100 @@
+package no.hials.crosscom.kafka;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.apache.kafka.connect.connector.Connector;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The answers to wrong configurations of the connectors. */
+class ConnectorValidationTest {
+  @TempDir private Path folder;
+  private final Map<String, String> source = new HashMap<>();
+  private final Map<String, String> sink = new HashMap<>();
+
+  @BeforeEach
+  void prepare() throws Exception {
+    Path plant = folder.resolve("plant.toml");
+    Files.writeString(plant, "[robots.r1]\nhost = \"127.0.0.1\"\n");
+    source.put("plant", plant.toString());
+    sink.put("plant", plant.toString());
+    sink.put("writes.enabled", "true");
+    sink.put("bootstrap.servers", "127.0.0.1:9092");
+    sink.put("audit.folder", folder.toString());
+    sink.put("errors.tolerance", "all");
+    sink.put("errors.deadletterqueue.topic.name", "dead");
+  }
+
+  /** Returns the errors, each with its property before it. */
+  private static List<String> errors(Connector connector, Map<String, String> properties) {
+    return connector.validate(properties).configValues().stream()
+        .flatMap(value -> value.errorMessages().stream().map(error -> value.name() + ": " + error))
+        .toList();
+  }
+
+  @Test
+  void rightConfigurationsHaveNoError() {
+    assertThat(errors(new RobotSourceConnector(), source)).isEmpty();
+    assertThat(errors(new RobotSinkConnector(), sink)).isEmpty();
+    source.put("topic", "plant.{robot}");
+    assertThat(errors(new RobotSourceConnector(), source)).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      quoteCharacter = '"',
+      textBlock =
+          """
+          plant,               "",                   must be non-empty
+          plant,               /missing.toml,        file not found
+          topic,               "",                   must be letters
+          topic,               a b,                  must be letters
+          topic,               ..,                   must be letters
+          lease.topic,         "",                   must be letters
+          lease.topic,         robots,               must not be the topic of the samples
+          lease.ms,            499,                  at least 500
+          lease.ms,            9223372036854775807,  no more than 3600000
+          lease.recovery.ms,   9223372036854775807,  no more than 3600000
+          buffer.records,      2147483647,           no more than 1000000
+          """)
+  void aWrongPropertyOfTheSourceIsNamed(String key, String value, String rule) {
+    source.put(key, value);
+    assertThat(errors(new RobotSourceConnector(), source))
+        .singleElement()
+        .asString()
+        .startsWith(key + ": ")
+        .contains(rule);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      quoteCharacter = '"',
+      textBlock =
+          """
+          audit.folder,        "",         must be non-empty
+          bootstrap.servers,   "",         You must set either bootstrap.servers
+          bootstrap.servers,   nonsense,   Invalid url in bootstrap.servers: nonsense
+          """)
+  void aWrongPropertyOfTheSinkIsNamed(String key, String value, String rule) {
+    sink.put(key, value);
+    assertThat(errors(new RobotSinkConnector(), sink))
+        .singleElement()
+        .asString()
+        .startsWith(key + ": ")
+        .contains(rule);
+  }
+
+  @Test
+  void aWrongSettingOfTheClientOfTheBrokersIsNamed() {
+    sink.put("admin.security.protocol", "NONE");
+    assertThat(errors(new RobotSinkConnector(), sink)).singleElement().asString().contains("NONE");
+  }
+}

@@ -56,6 +56,11 @@ public final class RobotSourceTask extends SourceTask {
   private boolean opened;
   private boolean recovering;
   private long recoveringSince;
+  private Moment lastPoll = Moment.now();
+
+  /** Why the robots are not used. */
+  private String lost = "";
+
   private long lastBeat;
   private long lastCheck;
   private long records;
@@ -148,6 +153,7 @@ public final class RobotSourceTask extends SourceTask {
     // before the lease is looked at: a process that is frozen in between gets no newer moment
     Moment moment = Moment.now();
     followLease(own, moment);
+    lastPoll = moment;
     if (moment.nanos() - lastCheck > CHECK_NANOS) {
       lastCheck = moment.nanos();
       robots.forEach(RobotSource::check);
@@ -174,9 +180,15 @@ public final class RobotSourceTask extends SourceTask {
     if (!isHeld()) {
       if (allowed) {
         allowed = false;
+        boolean called = now.nanosSince(lastPoll) < own.time(ConnectorSettings.LEASE).toNanos();
+        lost =
+            called
+                ? "the task had not reached the broker"
+                : "the task had not been called: it was paused, frozen, or blocked by the broker";
         LOG.warn(
-            "no proof for {} ms that the broker is reached: the robots are not used",
-            own.getLong(ConnectorSettings.LEASE));
+            "the lease of {} ms has ended, the robots are not used: {}",
+            own.getLong(ConnectorSettings.LEASE),
+            lost);
       }
       recovering = false;
     } else if (!opened) {
@@ -195,8 +207,8 @@ public final class RobotSourceTask extends SourceTask {
       recoveringSince = now.nanos();
     }
     if (now.nanos() - recoveringSince >= wait.toNanos()) {
-      LOG.info("the broker is reached: the robots are used again");
-      robots.forEach(robot -> robot.resumed("the task had not reached the broker"));
+      LOG.info("the lease is held again: the robots are used");
+      robots.forEach(robot -> robot.resumed(lost));
       allowed = true;
     }
   }

@@ -24,7 +24,7 @@ public final class Lease {
     }
 
     /** Returns the time from another moment to this one: the longer one of both clocks. */
-    long nanosSince(Moment before) {
+    public long nanosSince(Moment before) {
       return Math.max(nanos - before.nanos, (millis - before.millis) * 1_000_000);
     }
   }

@@ -10,6 +10,7 @@ import java.util.Queue;
 import java.util.function.BooleanSupplier;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.Quality;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.kafka.internal.SampleRecords.Gap;
@@ -27,6 +28,8 @@ public final class RobotSource implements Closeable {
   private static final String RUN = "run";
   private static final String SEQUENCE = "sequence";
   private static final String TIME = "time";
+
+  private static final String WITHOUT_LEASE = "the task does not use the robot: it has no lease";
 
   /** The robot is connected again soon after its lease was lost and is held again. */
   private static final Duration LONGEST_BACKOFF = Duration.ofSeconds(1);
@@ -143,7 +146,8 @@ public final class RobotSource implements Closeable {
                         cfg ->
                             cfg.accessIf(allowed)
                                 .reconnectBackoff(Duration.ofMillis(100), LONGEST_BACKOFF))),
-            (robot, updates) -> updates.forEach(this::add));
+            (robot, updates) ->
+                updates.forEach(update -> add(allowed.getAsBoolean() ? update : unused(update))));
     feed = opened;
     opened.start();
   }
@@ -161,6 +165,14 @@ public final class RobotSource implements Closeable {
   /** Returns the number of samples that were dropped. */
   public synchronized long lost() {
     return lost;
+  }
+
+  /** Returns a sample without the lease: the client only knows that it may not use the robot. */
+  private static Update unused(Update update) {
+    return update.quality() == Quality.STALE
+        ? new Update(
+            update.variable(), update.time(), update.quality(), update.value(), WITHOUT_LEASE)
+        : update;
   }
 
   private synchronized void add(Update update) {

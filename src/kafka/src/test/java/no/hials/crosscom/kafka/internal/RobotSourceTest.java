@@ -101,10 +101,13 @@ class RobotSourceTest {
       }
       source.resumed("held again");
       held.set(true);
+      String stale = "";
       Item item = next(queue);
       while (item.gap() == null) {
+        stale += item.update().reason();
         item = next(queue);
       }
+      assertThat(stale).isEqualTo("the task does not use the robot: it has no lease");
       assertThat(item.gap().reason()).isEqualTo("held again");
       assertThat(item.gap().from()).isAfterOrEqualTo(before.time());
     }

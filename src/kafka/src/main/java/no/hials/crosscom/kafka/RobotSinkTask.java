@@ -1,30 +1,26 @@
 package no.hials.crosscom.kafka;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
-import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.feed.Plant;
-import no.hials.crosscom.cell.feed.PollPlan;
-import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Writes;
 import no.hials.crosscom.kafka.internal.Claims;
+import no.hials.crosscom.kafka.internal.CommandWriter;
 import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.Lease;
-import no.hials.crosscom.kafka.internal.SinkCommand;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
 import org.apache.kafka.connect.errors.ConnectException;
-import org.apache.kafka.connect.errors.DataException;
 import org.apache.kafka.connect.sink.ErrantRecordReporter;
 import org.apache.kafka.connect.sink.SinkRecord;
 import org.apache.kafka.connect.sink.SinkTask;
@@ -51,10 +47,7 @@ public final class RobotSinkTask extends SinkTask {
   private static final Duration FIRST_PATIENCE = Duration.ofSeconds(30);
   private static final Duration REPORT_PATIENCE = Duration.ofSeconds(30);
 
-  private final Map<String, RobotFeed> robots = new HashMap<>();
-  private @Nullable ConnectorSettings settings;
-  private @Nullable Plant plant;
-  private @Nullable Writes writes;
+  private @Nullable CommandWriter writer;
   private @Nullable Claims claims;
   private @Nullable Lease lease;
   private boolean requested;
@@ -80,14 +73,20 @@ public final class RobotSinkTask extends SinkTask {
   @Override
   public void start(Map<String, String> properties) {
     ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SINK, properties);
-    settings = read;
+    Plant plant;
     try {
       plant = read.taskPlant();
     } catch (FileException e) {
       throw new ConnectException(e.getMessage(), e);
     }
-    writes = new Writes(new AuditLog(Path.of(read.getString(ConnectorSettings.AUDIT))));
-    lease = new Lease(read.time(ConnectorSettings.LEASE));
+    Lease own = new Lease(read.time(ConnectorSettings.LEASE));
+    lease = own;
+    writer =
+        new CommandWriter(
+            plant,
+            new Writes(new AuditLog(Path.of(read.getString(ConnectorSettings.AUDIT)))),
+            own,
+            read.time(ConnectorSettings.MAX_AGE));
     String group =
         properties.getOrDefault("consumer.override.group.id", "connect-" + read.connector());
     claims = new Claims(read.admin(), group, PATIENCE);
@@ -101,10 +100,6 @@ public final class RobotSinkTask extends SinkTask {
       throw new IllegalStateException("not started");
     }
     return claims;
-  }
-
-  private boolean isHeld() {
-    return lease != null && lease.isHeld();
   }
 
   @Override
@@ -175,91 +170,24 @@ public final class RobotSinkTask extends SinkTask {
   }
 
   private void writeClaimed() {
-    try {
-      for (SinkRecord next = claims().next(); next != null; next = claims().next()) {
-        if (!isHeld() && !isVerified()) {
-          return;
-        }
-        write(next);
-        claims().settle(next);
+    CommandWriter own = writer;
+    if (own == null) {
+      throw new IllegalStateException("not started");
+    }
+    List<SinkRecord> claimed = claims().claimed();
+    Map<SinkRecord, Optional<Exception>> outcomes = own.write(claimed);
+    for (SinkRecord record : claimed) {
+      Optional<Exception> outcome = outcomes.get(record);
+      if (outcome != null) {
+        outcome.ifPresent(why -> report(record, why));
+        claims().settle(record);
       }
+    }
+    if (!claims().hasClaimed()) {
+      own.forgetSilent();
       // so that the claim is not taken for one of a task that ended
       requestCommit();
-    } finally {
-      closeRobots();
     }
-  }
-
-  private void write(SinkRecord record) {
-    try {
-      SinkCommand command = SinkCommand.of(record);
-      checkAge(record);
-      Plant own = plant;
-      if (own == null || writes == null) {
-        throw new IllegalStateException("not started");
-      }
-      String who =
-          "kafka:"
-              + record.originalTopic()
-              + "-"
-              + record.originalKafkaPartition()
-              + "@"
-              + record.originalKafkaOffset();
-      writes.write(who, own, robot(own, command.robot()), command.variable(), command.value());
-    } catch (IOException | IllegalArgumentException | DataException e) {
-      report(record, e);
-    }
-  }
-
-  /** Refuses an old record: nobody knows whether its write is still wanted. */
-  private void checkAge(SinkRecord record) {
-    long limit = settings == null ? 0 : settings.getLong(ConnectorSettings.MAX_AGE);
-    Long time = record.timestamp();
-    if (time == null || System.currentTimeMillis() - time > limit) {
-      throw new DataException(
-          "not written: the record is older than "
-              + limit
-              + " ms ("
-              + ConnectorSettings.MAX_AGE
-              + ")");
-    }
-  }
-
-  private RobotFeed robot(Plant own, String name) throws IOException {
-    RobotFeed open = robots.get(name);
-    if (open == null) {
-      PollPlan plan =
-          own.plans().stream()
-              .filter(one -> one.robot().name().equals(name))
-              .findFirst()
-              .orElseThrow(() -> new DataException("no robot is named " + name));
-      open =
-          RobotFeed.open(
-              plan,
-              (robot, more) ->
-                  RobotConnection.open(
-                      robot,
-                      more.andThen(
-                          cfg ->
-                              cfg.accessIf(this::isHeld)
-                                  .reconnect(false)
-                                  .keepAlive(Duration.ZERO))),
-              (feed, updates) -> {});
-      robots.put(name, open);
-    }
-    return open;
-  }
-
-  private void closeRobots() {
-    robots.forEach(
-        (name, robot) -> {
-          try {
-            robot.close();
-          } catch (IOException e) {
-            LOG.warn("{}: {}", name, e.getMessage());
-          }
-        });
-    robots.clear();
   }
 
   /** Puts a record on the dead-letter topic, and waits until it is there. */
@@ -286,7 +214,9 @@ public final class RobotSinkTask extends SinkTask {
     if (lease != null) {
       lease.end();
     }
-    closeRobots();
+    if (writer != null) {
+      writer.close();
+    }
     if (claims != null) {
       claims.close();
     }

@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.UUID;
 import java.util.concurrent.ExecutionException;
@@ -201,14 +202,12 @@ public final class Claims implements AutoCloseable {
     return true;
   }
 
-  /** Returns the next record of a claim; null if all are settled. It stays until it is settled. */
-  public @Nullable SinkRecord next() {
-    for (Partition partition : partitions.values()) {
-      if (partition.hasClaimed()) {
-        return partition.held.getFirst();
-      }
-    }
-    return null;
+  /** Returns the records that are claimed and not settled, those of a partition in their order. */
+  public List<SinkRecord> claimed() {
+    return partitions.values().stream()
+        .flatMap(
+            one -> one.held.stream().filter(record -> record.originalKafkaOffset() < one.claimed))
+        .toList();
   }
 
   /** Notes that a record was written, or is reported. */

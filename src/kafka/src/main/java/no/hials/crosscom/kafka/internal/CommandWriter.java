@@ -1,0 +1,209 @@
+package no.hials.crosscom.kafka.internal;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import no.hials.crosscom.CrossComAccessException;
+import no.hials.crosscom.CrossComConnectException;
+import no.hials.crosscom.CrossComException;
+import no.hials.crosscom.CrossComValueException;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Writes;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.errors.DataException;
+import org.apache.kafka.connect.sink.SinkRecord;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Writes what records ask for, each once: the records of a robot in their order, and the robots at
+ * the same time, so that one that does not answer delays no other. Connects to a robot for the
+ * records at hand.
+ */
+public final class CommandWriter implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(CommandWriter.class);
+
+  private final Plant plant;
+  private final Writes writes;
+  private final Lease lease;
+  private final Duration maxAge;
+  private final Set<String> silent = ConcurrentHashMap.newKeySet();
+  private final ExecutorService threads =
+      Executors.newCachedThreadPool(
+          task -> {
+            Thread thread = new Thread(task, "jopenshowvar-write");
+            thread.setDaemon(true);
+            return thread;
+          });
+
+  /**
+   * Creates a writer.
+   *
+   * @param lease nothing is written without it
+   * @param maxAge a record whose timestamp is further away than this is not written
+   */
+  public CommandWriter(Plant plant, Writes writes, Lease lease, Duration maxAge) {
+    this.plant = plant;
+    this.writes = writes;
+    this.lease = lease;
+    this.maxAge = maxAge;
+  }
+
+  /**
+   * Writes records while the lease is held.
+   *
+   * @return for each record that is done: empty if it was written, or why it was not. A record that
+   *     is not in it was not sent
+   * @throws ConnectException if it is not known what became of the records
+   */
+  public Map<SinkRecord, Optional<Exception>> write(Collection<SinkRecord> records) {
+    Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
+    Map<String, Map<SinkRecord, SinkCommand>> robots = new LinkedHashMap<>();
+    for (SinkRecord record : records) {
+      try {
+        SinkCommand command = SinkCommand.of(record);
+        robots.computeIfAbsent(command.robot(), name -> new LinkedHashMap<>()).put(record, command);
+      } catch (DataException e) {
+        outcomes.put(record, Optional.of(e));
+      }
+    }
+    List<Future<Map<SinkRecord, Optional<Exception>>>> writers = new ArrayList<>();
+    robots.forEach((name, commands) -> writers.add(threads.submit(() -> write(name, commands))));
+    ConnectException failure = null;
+    for (Future<Map<SinkRecord, Optional<Exception>>> writer : writers) {
+      try {
+        outcomes.putAll(writer.get());
+      } catch (ExecutionException e) {
+        failure = new ConnectException(e.getCause());
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        throw new ConnectException("interrupted", e);
+      }
+    }
+    if (failure != null) {
+      throw failure;
+    }
+    return outcomes;
+  }
+
+  /** Forgets which robots have not answered: the next records are tried again. */
+  public void forgetSilent() {
+    silent.clear();
+  }
+
+  private Map<SinkRecord, Optional<Exception>> write(
+      String name, Map<SinkRecord, SinkCommand> commands) {
+    Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
+    RobotFeed robot = null;
+    try {
+      for (Map.Entry<SinkRecord, SinkCommand> one : commands.entrySet()) {
+        if (!lease.isHeld()) {
+          break;
+        }
+        SinkRecord record = one.getKey();
+        try {
+          check(name, record);
+          if (robot == null) {
+            robot = open(name);
+          }
+          writes.write(
+              who(record), plant, robot, one.getValue().variable(), one.getValue().value());
+          outcomes.put(record, Optional.empty());
+        } catch (CrossComConnectException e) {
+          if (!lease.isHeld()) {
+            break; // nothing was sent
+          }
+          silent.add(name);
+          outcomes.put(record, Optional.of(e));
+        } catch (IOException | IllegalArgumentException | DataException e) {
+          if (isWithoutAnswer(e)) {
+            silent.add(name);
+          }
+          outcomes.put(record, Optional.of(e));
+        }
+      }
+    } finally {
+      close(robot);
+    }
+    return outcomes;
+  }
+
+  private static void close(@Nullable RobotFeed robot) {
+    try {
+      if (robot != null) {
+        robot.close();
+      }
+    } catch (IOException e) {
+      LOG.warn("{}: {}", robot.name(), e.getMessage());
+    }
+  }
+
+  private static boolean isWithoutAnswer(Exception failure) {
+    return failure instanceof CrossComException
+        && !(failure instanceof CrossComAccessException
+            || failure instanceof CrossComValueException);
+  }
+
+  private static String who(SinkRecord record) {
+    return "kafka:"
+        + record.originalTopic()
+        + "-"
+        + record.originalKafkaPartition()
+        + "@"
+        + record.originalKafkaOffset();
+  }
+
+  private void check(String name, SinkRecord record) {
+    if (silent.contains(name)) {
+      throw new DataException("not written: " + name + " has not answered the command before");
+    }
+    // nobody knows whether a record that has waited for long is still meant
+    Long time = record.timestamp();
+    long limit = maxAge.toMillis();
+    long age = time == null ? Long.MAX_VALUE : System.currentTimeMillis() - time;
+    if (age > limit) {
+      throw new DataException(
+          "not written: the record is older than " + limit + " ms (max.age.ms)");
+    } else if (age < -limit) {
+      throw new DataException(
+          "not written: the clock of the record is " + -age + " ms ahead (max.age.ms)");
+    }
+  }
+
+  private RobotFeed open(String name) throws IOException {
+    PollPlan plan =
+        plant.plans().stream()
+            .filter(one -> one.robot().name().equals(name))
+            .findFirst()
+            .orElseThrow(() -> new DataException("no robot is named " + name));
+    return RobotFeed.open(
+        plan,
+        (robot, more) ->
+            RobotConnection.open(
+                robot,
+                more.andThen(
+                    cfg -> cfg.accessIf(lease::isHeld).reconnect(false).keepAlive(Duration.ZERO))),
+        (feed, updates) -> {});
+  }
+
+  @Override
+  public void close() {
+    threads.shutdown();
+  }
+}

@@ -1,0 +1,140 @@
+package no.hials.crosscom.kafka.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.feed.Writes;
+import no.hials.crosscom.kafka.internal.Lease.Moment;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
+import org.apache.kafka.common.record.TimestampType;
+import org.apache.kafka.connect.sink.SinkRecord;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The writes of claimed records, with two robots. */
+@Timeout(60)
+class CommandWriterTest {
+  private static final Duration MAX_AGE = Duration.ofMinutes(1);
+
+  @KukaController private MockServer first;
+  @KukaController private MockServer second;
+  @TempDir private Path folder;
+  private final Lease lease = new Lease(Duration.ofHours(1));
+  private CommandWriter writer;
+  private long offset;
+
+  @BeforeEach
+  void open() throws Exception {
+    String text =
+        """
+        [robots.r1]
+        host = "%s"
+        port = %d
+        [robots.r2]
+        host = "%s"
+        port = %d
+        [variables."$OV_PRO"]
+        write = true
+        range = [0, 100]
+        """
+            .formatted(first.host(), first.port(), second.host(), second.port());
+    lease.renew(Moment.now());
+    writer =
+        new CommandWriter(
+            PlantText.read("plant.toml", text), new Writes(new AuditLog(folder)), lease, MAX_AGE);
+  }
+
+  @AfterEach
+  void close() {
+    writer.close();
+  }
+
+  private SinkRecord record(String robot, long value, Duration age) {
+    Map<String, ?> command = Map.of("robot", robot, "variable", "$OV_PRO", "value", value);
+    long time = System.currentTimeMillis() - age.toMillis();
+    return new SinkRecord(
+        "commands", 0, null, null, null, command, offset++, time, TimestampType.CREATE_TIME);
+  }
+
+  private SinkRecord record(String robot, long value) {
+    return record(robot, value, Duration.ZERO);
+  }
+
+  private static List<String> written(MockServer robot) {
+    return robot.requests().stream()
+        .filter(RecordedRequest::isWrite)
+        .map(RecordedRequest::value)
+        .toList();
+  }
+
+  private String failure(SinkRecord record) {
+    return writer.write(List.of(record)).get(record).orElseThrow().getMessage();
+  }
+
+  @Test
+  void aRobotThatDoesNotAnswerDelaysNoOther() throws Exception {
+    CountDownLatch answer = new CountDownLatch(1);
+    first.fault(RecordedRequest::isWrite, Fault.hold(answer));
+    SinkRecord slow = record("r1", 40);
+    SinkRecord quick = record("r2", 30);
+    CompletableFuture<Map<SinkRecord, Optional<Exception>>> outcomes =
+        CompletableFuture.supplyAsync(() -> writer.write(List.of(slow, quick)));
+    while (written(second).isEmpty()) {
+      var unused = second.takeRequest(Duration.ofSeconds(1));
+    }
+    answer.countDown();
+    assertThat(outcomes.get()).containsEntry(slow, Optional.empty());
+    assertThat(outcomes.get()).containsEntry(quick, Optional.empty());
+  }
+
+  @Test
+  void afterAWriteWithoutAnAnswerNoFurtherOneIsSentUntilTheBatchIsDone() {
+    first.fault(RecordedRequest::isWrite, Fault.dropAnswer());
+    SinkRecord one = record("r1", 40);
+    SinkRecord two = record("r1", 41);
+    var outcomes = writer.write(List.of(one, two));
+    assertThat(outcomes.get(one).orElseThrow()).hasMessageContaining("the outcome is unknown");
+    assertThat(outcomes.get(two).orElseThrow())
+        .hasMessage("not written: r1 has not answered the command before");
+    assertThat(written(first)).containsExactly("40");
+    first.clearFaults();
+    writer.forgetSilent();
+    assertThat(writer.write(List.of(record("r1", 42))).values()).containsExactly(Optional.empty());
+    assertThat(written(first)).containsExactly("40", "42");
+  }
+
+  @Test
+  void theRecordsOfARobotAreWrittenInTheirOrder() {
+    var unused = writer.write(List.of(record("r1", 1), record("r2", 2), record("r1", 3)));
+    assertThat(written(first)).containsExactly("1", "3");
+    assertThat(written(second)).containsExactly("2");
+  }
+
+  @Test
+  void withoutTheLeaseNothingIsSentAndNothingIsDone() {
+    lease.end();
+    assertThat(writer.write(List.of(record("r1", 40)))).isEmpty();
+    assertThat(first.requests()).isEmpty();
+  }
+
+  @Test
+  void aRecordWhoseTimeIsFarAwayIsNotWritten() {
+    Duration far = MAX_AGE.plusMinutes(1);
+    assertThat(failure(record("r1", 40, far))).contains("older than 60000 ms");
+    assertThat(failure(record("r1", 40, far.negated()))).contains("ms ahead (max.age.ms)");
+    assertThat(written(first)).isEmpty();
+  }
+}

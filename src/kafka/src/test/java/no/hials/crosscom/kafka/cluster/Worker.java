@@ -52,7 +52,7 @@ final class Worker implements AutoCloseable {
             "offset.flush.interval.ms=1000",
             "session.timeout.ms=6000",
             "heartbeat.interval.ms=2000",
-            "scheduled.rebalance.max.delay.ms=2000",
+            "scheduled.rebalance.max.delay.ms=1000",
             "producer.enable.idempotence=true",
             "consumer.session.timeout.ms=6000",
             "consumer.heartbeat.interval.ms=2000",

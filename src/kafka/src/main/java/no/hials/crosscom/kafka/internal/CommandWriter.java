@@ -173,7 +173,7 @@ public final class CommandWriter implements AutoCloseable {
     if (silent.contains(name)) {
       throw new DataException("not written: " + name + " has not answered the command before");
     }
-    // nobody knows whether a record that has waited for long is still meant
+    // nobody knows whether the write of an old record is still wanted
     Long time = record.timestamp();
     long limit = maxAge.toMillis();
     long age = time == null ? Long.MAX_VALUE : System.currentTimeMillis() - time;

@@ -10,6 +10,7 @@
 #   src/bench/run.sh robots [ROBOTS [SILENT [SECONDS]]]  many robots watched by one process
 #   src/bench/run.sh viewers [VIEWERS [SECONDS [ROWS]]]    what the web page's server costs
 #   src/bench/run.sh gateway [ROBOTS [SECONDS]]    robots into an MQTT broker, by one process
+#   src/bench/run.sh kafka [ROBOTS [SECONDS]]      robots onto a Kafka broker, by one worker
 #   src/bench/run.sh jogcuts [CUTS]    cut connections of a page that jogs, 100 times
 #
 # Two more look for defects instead of measuring; they exit with 1 if they find one:
@@ -18,6 +19,15 @@
 #   src/bench/run.sh mutation [EXCHANGES]              changed bytes, 20,000 exchanges each
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+
+# Broker and workers are parts of the tests of src/kafka.
+if [[ ${1:-} == kafka ]]; then
+  mvn -B -q -Pplant verify -pl src/kafka -am -Dtests.required=false -Dspotless.check.skip -Dcheckstyle.skip \
+    -Dtest=none -Dsurefire.failIfNoSpecifiedTests=false \
+    -Dit.test=ClusterLoad -Dfailsafe.failIfNoSpecifiedTests=false \
+    -Dkafka.tiers=4 -Dload.robots="${2:-100}" -Dload.seconds="${3:-30}"
+  exit
+fi
 
 mvn -B -q -pl src/bench,src/gateway -am -Dmaven.test.skip=true package
 
@@ -75,7 +85,7 @@ case ${1:-all} in
     uptime
     ;;
   *)
-    echo "usage: $0 [all|ratio|strace|load|jmh|robots|viewers|gateway|jogcuts|soak|mutation]" >&2
+    echo "usage: $0 [all|ratio|strace|load|jmh|robots|viewers|gateway|kafka|jogcuts|soak|mutation]" >&2
     exit 64
     ;;
 esac

@@ -148,6 +148,10 @@ final class Broker implements AutoCloseable {
         Map.of("bootstrap.servers", address()), new StringSerializer(), new StringSerializer());
   }
 
+  JavaProcess process() {
+    return process;
+  }
+
   @Override
   public void close() {
     process.close();

@@ -6,6 +6,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -25,7 +26,7 @@ final class JavaProcess implements AutoCloseable {
             List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                 "-Xmx512m",
-                "-XX:TieredStopAtLevel=1",
+                "-XX:TieredStopAtLevel=" + System.getProperty("kafka.tiers", "1"),
                 "-Dorg.slf4j.simpleLogger.defaultLogLevel="
                     + System.getProperty("kafka.log", "warn"),
                 "-Dorg.slf4j.simpleLogger.log.no.hials=info",
@@ -77,6 +78,21 @@ final class JavaProcess implements AutoCloseable {
     if (code != 0) {
       throw new IOException("kill -" + name + " failed");
     }
+  }
+
+  /** Returns the time that the process has used on all CPUs. */
+  Duration cpu() {
+    return process.info().totalCpuDuration().orElseThrow();
+  }
+
+  /** Returns the memory of the process that is in RAM, in MB. */
+  long residentMegabytes() throws IOException {
+    for (String line : Files.readAllLines(Path.of("/proc/" + process.pid() + "/status"))) {
+      if (line.startsWith("VmRSS:")) {
+        return Long.parseLong(line.replaceAll("\\D", "")) / 1024;
+      }
+    }
+    throw new IOException("no VmRSS of " + process.pid());
   }
 
   Path log() {

@@ -126,6 +126,10 @@ final class Worker implements AutoCloseable {
     return process.log();
   }
 
+  JavaProcess process() {
+    return process;
+  }
+
   @Override
   public void close() {
     process.close();

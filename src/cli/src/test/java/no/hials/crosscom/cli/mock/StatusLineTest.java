@@ -2,6 +2,7 @@ package no.hials.crosscom.cli.mock;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.Reader;
 import java.io.StringWriter;
 import java.time.Duration;
 import java.util.Map;
@@ -20,7 +21,8 @@ class StatusLineTest {
   private MockServer server;
 
   private StatusLine line(boolean line) {
-    return new StatusLine(new Console(out, err, Map.of()), server, () -> line);
+    Console console = new Console(out, err, Map.of(), Reader.nullReader(), null);
+    return new StatusLine(console, server, () -> line);
   }
 
   private void pressEmergencyStop(int times) {

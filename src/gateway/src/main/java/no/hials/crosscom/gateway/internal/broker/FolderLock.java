@@ -36,7 +36,7 @@ public final class FolderLock implements AutoCloseable {
           FileChannel.open(
               folder.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     } catch (IOException e) {
-      // a full disk must not stop the values of now
+      // a full disk must not stop the values that are published
       LOG.warn("cannot lock {}: {}", folder, e.toString());
       return new FolderLock(null);
     }

@@ -177,7 +177,7 @@ public final class Operators {
     return compare(left, right) == 0;
   }
 
-  /** Compares numbers and CHARs; a CHAR counts as its code beside a number (assumed). */
+  /** Compares numbers and CHARs; a CHAR is its code if the other one is a number (assumed). */
   static int compare(KrlValue left, KrlValue right) throws KrlExecutionException {
     if (left instanceof KrlInt a && right instanceof KrlInt b) {
       return Integer.compare(a.value(), b.value());

@@ -60,7 +60,17 @@ public final class Sampling implements Closeable {
    * @param count the maximum number of samples of each robot
    */
   public record SamplingPlan(
-      List<String> names, Duration period, @Nullable Duration length, long count) {}
+      List<String> names, Duration period, @Nullable Duration length, long count) {
+
+    /** Returns after how many samples a robot has enough: as many as there are periods. */
+    private long enough() {
+      if (length == null) {
+        return count;
+      }
+      long periods = length.dividedBy(period);
+      return Math.min(count, length.equals(period.multipliedBy(periods)) ? periods : periods + 1);
+    }
+  }
 
   /**
    * A robot that could not be reached, or a variable that could not be read.
@@ -288,7 +298,7 @@ public final class Sampling implements Closeable {
     }
     robot.count(inOrder);
     listener.sampled(robot, inOrder);
-    if (robot.samples() >= plan.count()) {
+    if (robot.samples() >= plan.enough()) {
       robot.stopWithEnough();
     }
   }

@@ -38,6 +38,7 @@ public final class PageHandler extends Handler.Abstract {
       <html lang="en">
       <meta charset="utf-8">
       <meta http-equiv="refresh" content="0; url=/">
+      <link rel="icon" href="/icon.svg" type="image/svg+xml">
       <title>JOpenShowVar</title>
       <a href="/">Open the page</a>
       """;

@@ -1,0 +1,49 @@
+package no.hials.crosscom.web.browser;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.URI;
+import java.nio.file.Path;
+import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.TestPages;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** The lists of watched variables. */
+@ExtendWith(WithBrowser.class)
+class VariablesBrowserIT {
+  @TempDir private Path folder;
+  private TestPages pages;
+
+  @BeforeEach
+  void start() throws IOException {
+    pages = TestPages.start(folder);
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    pages.close();
+  }
+
+  @ParameterizedTest
+  @EnumSource(
+      value = Browser.Size.class,
+      names = {"DESKTOP", "PHONE"})
+  void aListIsSavedWithTheButtonOfItsDialog(Browser.Size size, Browser browser) {
+    browser.size(size);
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=variables#/variables"));
+
+    browser.click(".lists button");
+    browser.find("dialog input").sendKeys("Cell");
+    browser.click("dialog button.main");
+
+    browser.await("document.querySelector('.lists select').value === 'Cell'");
+    assertThat(folder.resolve("lists/Cell.txt")).content().contains("$POS_ACT");
+  }
+}

@@ -55,6 +55,19 @@ class WatchListTest {
   }
 
   @Test
+  void aListReplacesTheOneWhoseNameDiffersInCase() throws Exception {
+    save("'Cell'", "100", "['$OV_PRO']");
+
+    assertThat(save("'cell'", "250", "['$POS_ACT']").has("ok")).isTrue();
+
+    JsonNode lists = socket.call("lists").path("ok").path("lists");
+    assertThat(lists).hasSize(1);
+    assertThat(texts(lists.get(0).path("names"))).containsExactly("$POS_ACT");
+    assertThat(socket.call("list-delete", "name", "'CELL'").has("ok")).isTrue();
+    assertThat(folder.resolve("lists")).isEmptyDirectory();
+  }
+
+  @Test
   void theOtherBrowsersLearnOfAChange() throws Exception {
     try (TestSocket other = pages.open(Role.VIEW)) {
       save("'a'", "250", "['X']");

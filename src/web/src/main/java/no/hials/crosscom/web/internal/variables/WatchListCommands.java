@@ -10,6 +10,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
@@ -103,10 +104,25 @@ public final class WatchListCommands {
     return folder.resolve(name + ENDING);
   }
 
+  /** Returns the file that has this name but for the case, as lists are told apart without it. */
+  private Path inAnyCase(Path file) throws IOException {
+    if (Files.exists(file) || !Files.isDirectory(folder)) {
+      return file;
+    }
+    String name = file.getFileName().toString();
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .filter(it -> it.getFileName().toString().equalsIgnoreCase(name))
+          .findFirst()
+          .orElse(file);
+    }
+  }
+
   private void save(Call call, ObjectNode answer) throws IOException {
-    Path file = file(call);
+    Path chosen = file(call);
     WatchList list = list(call);
     synchronized (this) {
+      Path file = inAnyCase(chosen);
       if (!Files.exists(file) && read().size() >= MAX_LISTS) {
         throw new CommandException("there are " + MAX_LISTS + " lists: delete one first");
       }
@@ -125,7 +141,7 @@ public final class WatchListCommands {
   private void delete(Call call, ObjectNode answer) throws IOException {
     Path file = file(call);
     synchronized (this) {
-      if (!Files.deleteIfExists(file)) {
+      if (!Files.deleteIfExists(inAnyCase(file))) {
         throw new CommandException("there is no such list");
       }
     }

@@ -64,12 +64,12 @@ function download(name, text) {
 function Save({ list, saved, onSaved, onClose }) {
   const [name, setName] = useState(list.name);
   const [error, setError] = useState('');
-  const replaces = saved.some((one) => one.name.toLowerCase() === name.trim().toLowerCase());
+  const replaced = saved.find((one) => one.name.toLowerCase() === name.trim().toLowerCase());
   const submit = async (event) => {
     event.preventDefault();
     try {
       await call('list-save', { name: name.trim(), period: list.period, names: list.names });
-      onSaved(name.trim());
+      onSaved(replaced?.name ?? name.trim());
       onClose();
     } catch (e) {
       setError(e.message);
@@ -87,7 +87,7 @@ function Save({ list, saved, onSaved, onClose }) {
         'Name',
         h('input', { value: name, autofocus: true, onInput: (event) => setName(event.target.value) }),
       ),
-      replaces && h('p', { class: 'hint' }, 'This replaces the list of that name.'),
+      replaced && h('p', { class: 'hint' }, 'This replaces the list of that name.'),
       error && h('p', { class: 'failure', role: 'alert' }, error),
       h(
         'div',

@@ -62,6 +62,9 @@ class InputsAndOutputsTest {
     assertThat(pages.controller().variables().get("$IN[7]")).isEqualTo("TRUE");
     assertThat(setInput(socket, "analog", "true", "number", "2", "value", "-0.5")).isEmpty();
     assertThat(pages.controller().variables().get("$ANIN[2]")).isEqualTo("-0.500000");
+    assertThat(setInput(socket, "number", "7", "value", "false")).isEmpty();
+    assertThat(socket.call("audit").path("ok").path("lines").toString())
+        .containsPattern("\\$IN\\[7\\]\\W+before\\W+TRUE\\W+after\\W+FALSE");
     assertThat(setInput(socket, "number", "4097", "value", "true"))
         .isEqualTo("number must be 1 to 4096, is 4097");
     assertThat(socket.call("audit").path("ok").path("lines").toString())

@@ -81,13 +81,13 @@ public final class InputOutputCommands {
         analog
             ? Double.toString(call.number("value", -1, 1))
             : call.flag("value") ? "TRUE" : "FALSE";
-    changes.make(
+    changes.replace(
         call,
         robot,
         "set input",
         name,
         value,
-        () -> {
+        oldValue -> {
           MockServer server =
               robot
                   .simulation()
@@ -98,6 +98,7 @@ public final class InputOutputCommands {
                                   + " is read-only: the controller takes it from its bus. Only"
                                   + " inputs of a robot that this page simulates can be set."));
           robot.lock().check(call, "set " + name);
+          oldValue.accept(server.variables().get(name));
           server.variables().set(name, value);
         });
   }

@@ -43,7 +43,9 @@ class AccessTest {
     HttpResponse<String> answer = pages.get(URI.create(pages.web().link(Role.VIEW)));
 
     assertThat(answer.statusCode()).isEqualTo(200);
-    assertThat(answer.body()).contains("content=\"0; url=/\"");
+    assertThat(answer.body())
+        .contains("content=\"0; url=/\"")
+        .contains("<link rel=\"icon\" href=\"/icon.svg\""); // or browsers ask for /favicon.ico
     assertThat(answer.headers().firstValue("set-cookie").orElseThrow())
         .contains("HttpOnly", "SameSite=Strict", "Path=/");
   }

@@ -137,6 +137,9 @@ public final class RecordingCommands implements AutoCloseable {
       throw new CommandException("there is no such recording that runs");
     }
     recording.stop();
+    if (recording.isEnded()) {
+      forget(recording); // now, since the next command may start another one
+    }
     ObjectNode state = recording.json();
     log(call, state.path("robot").asText(), "record stop", file);
     answer.setAll(state);
@@ -165,9 +168,7 @@ public final class RecordingCommands implements AutoCloseable {
   private void changed(RecordingInProgress recording) {
     boolean ended = recording.isEnded();
     if (ended) {
-      synchronized (this) {
-        running.remove(recording.file());
-      }
+      forget(recording);
     }
     ObjectNode event = Json.event("recording");
     event.setAll(recording.json());
@@ -175,6 +176,10 @@ public final class RecordingCommands implements AutoCloseable {
     if (ended) {
       tellAll();
     }
+  }
+
+  private synchronized void forget(RecordingInProgress recording) {
+    running.remove(recording.file(), recording);
   }
 
   private void tellAll() {

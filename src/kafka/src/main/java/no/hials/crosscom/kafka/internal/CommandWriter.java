@@ -15,6 +15,8 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
@@ -111,6 +113,13 @@ public final class CommandWriter implements AutoCloseable {
       String name, Map<SinkRecord, SinkCommand> commands) {
     Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
     RobotFeed robot = null;
+    AtomicBoolean withoutLease = new AtomicBoolean();
+    BooleanSupplier allowed =
+        () -> {
+          boolean held = lease.isHeld();
+          withoutLease.compareAndSet(false, !held);
+          return held;
+        };
     try {
       for (Map.Entry<SinkRecord, SinkCommand> one : commands.entrySet()) {
         if (!lease.isHeld()) {
@@ -120,13 +129,15 @@ public final class CommandWriter implements AutoCloseable {
         try {
           check(name, record);
           if (robot == null) {
-            robot = open(name);
+            robot = open(name, allowed);
           }
           writes.write(
               who(record), plant, robot, one.getValue().variable(), one.getValue().value());
           outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
-          if (!lease.isHeld()) {
+          // the lease may also have ended while the robot did not answer, which is no reason to
+          // wait
+          if (withoutLease.get()) {
             break; // nothing was sent
           }
           silent.add(name);
@@ -186,7 +197,7 @@ public final class CommandWriter implements AutoCloseable {
     }
   }
 
-  private RobotFeed open(String name) throws IOException {
+  private RobotFeed open(String name, BooleanSupplier allowed) throws IOException {
     PollPlan plan =
         plant.plans().stream()
             .filter(one -> one.robot().name().equals(name))
@@ -198,7 +209,7 @@ public final class CommandWriter implements AutoCloseable {
             RobotConnection.open(
                 robot,
                 more.andThen(
-                    cfg -> cfg.accessIf(lease::isHeld).reconnect(false).keepAlive(Duration.ZERO))),
+                    cfg -> cfg.accessIf(allowed).reconnect(false).keepAlive(Duration.ZERO))),
         (feed, updates) -> {});
   }
 

@@ -2,6 +2,9 @@ package no.hials.crosscom.kafka.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -62,6 +65,13 @@ class CommandWriterTest {
     writer.close();
   }
 
+  private CommandWriter writer(String robot, int port, Lease own) throws Exception {
+    String text =
+        "[robots.%s]\nhost = \"127.0.0.1\"\nport = %d\ntimeout = \"3s\"\n".formatted(robot, port);
+    return new CommandWriter(
+        PlantText.read("plant.toml", text), new Writes(new AuditLog(folder)), own, MAX_AGE);
+  }
+
   private SinkRecord record(String robot, long value, Duration age) {
     Map<String, ?> command = Map.of("robot", robot, "variable", "$OV_PRO", "value", value);
     long time = System.currentTimeMillis() - age.toMillis();
@@ -114,6 +124,27 @@ class CommandWriterTest {
     writer.forgetSilent();
     assertThat(writer.write(List.of(record("r1", 42))).values()).containsExactly(Optional.empty());
     assertThat(written(first)).containsExactly("40", "42");
+  }
+
+  @Test
+  void aRobotThatCannotBeReachedIsToldEvenIfTheLeaseEndsMeanwhile() throws Exception {
+    Lease brief = new Lease(Duration.ofSeconds(2));
+    // a full backlog makes the system drop the request to connect
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        Socket accepted = new Socket(full.getInetAddress(), full.getLocalPort());
+        Socket waiting = new Socket(full.getInetAddress(), full.getLocalPort());
+        CommandWriter impatient = writer("r3", full.getLocalPort(), brief)) {
+      SinkRecord one = record("r3", 40);
+      SinkRecord two = record("r3", 41);
+      brief.renew(Moment.now());
+      var outcomes = impatient.write(List.of(one, two));
+      assertThat(outcomes.get(one).orElseThrow()).hasMessageContaining("no answer within 3000 ms");
+      assertThat(outcomes).doesNotContainKey(two);
+      brief.renew(Moment.now());
+      assertThat(impatient.write(List.of(two)).get(two).orElseThrow())
+          .hasMessage("not written: r3 has not answered the command before");
+      assertThat(List.of(accepted, waiting)).allMatch(Socket::isConnected);
+    }
   }
 
   @Test

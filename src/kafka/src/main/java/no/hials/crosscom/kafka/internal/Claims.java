@@ -20,7 +20,8 @@ import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.sink.SinkRecord;
-import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * The records of a sink task and what was committed of them. Before records are written, their
@@ -31,6 +32,7 @@ import org.jspecify.annotations.Nullable;
  * is unknown. Not thread-safe.
  */
 public final class Claims implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(Claims.class);
   private static final Pattern METADATA =
       Pattern.compile("jopenshowvar (\\S+) from (\\d+) to (\\d+)");
 
@@ -39,6 +41,9 @@ public final class Claims implements AutoCloseable {
   private final Duration patience;
   private final String owner = UUID.randomUUID().toString();
   private final Map<TopicPartition, Partition> partitions = new LinkedHashMap<>();
+
+  /** Why the offsets could not be read the last time; told once. */
+  private String complaint = "";
 
   /** A partition that the task has. */
   private static final class Partition {
@@ -82,14 +87,11 @@ public final class Claims implements AutoCloseable {
    *
    * @param longest the longest wait for the answer of the brokers
    * @return the offsets to go back to, of partitions with records whose outcome is unknown
-   * @throws ConnectException if the brokers do not answer
+   * @throws ConnectException if the offsets of the group cannot be read
    */
   public Map<TopicPartition, Long> open(Collection<TopicPartition> added, Duration longest) {
     Map<TopicPartition, Long> back = new HashMap<>();
     Map<TopicPartition, OffsetAndMetadata> committed = committed(longest);
-    if (committed == null) {
-      throw new ConnectException("the brokers do not answer, so no claim could be read");
-    }
     for (TopicPartition one : added) {
       Partition partition = new Partition();
       partitions.put(one, partition);
@@ -181,8 +183,16 @@ public final class Claims implements AutoCloseable {
    */
   public boolean verify(Lease lease) {
     Moment moment = Moment.now();
-    Map<TopicPartition, OffsetAndMetadata> committed = committed(patience);
-    if (committed == null) {
+    Map<TopicPartition, OffsetAndMetadata> committed;
+    try {
+      committed = committed(patience);
+      complaint = "";
+    } catch (ConnectException e) {
+      String message = String.valueOf(e.getMessage());
+      if (!message.equals(complaint)) {
+        LOG.warn("nothing is written: {}", message);
+      }
+      complaint = message;
       return false;
     }
     for (Map.Entry<TopicPartition, Partition> one : partitions.entrySet()) {
@@ -223,18 +233,22 @@ public final class Claims implements AutoCloseable {
     return partitions.keySet().toArray(TopicPartition[]::new);
   }
 
-  /** Returns the committed offsets of the group; null if the brokers do not answer. */
-  private @Nullable Map<TopicPartition, OffsetAndMetadata> committed(Duration longest) {
+  /** Returns the committed offsets of the group. */
+  private Map<TopicPartition, OffsetAndMetadata> committed(Duration longest) {
+    String failed = "cannot read the offsets of the group " + group + ": ";
     try {
       return admin
           .listConsumerGroupOffsets(group)
           .partitionsToOffsetAndMetadata()
           .get(longest.toMillis(), TimeUnit.MILLISECONDS);
-    } catch (ExecutionException | TimeoutException e) {
-      return null;
+    } catch (ExecutionException e) {
+      Throwable cause = e.getCause();
+      throw new ConnectException(failed + (cause == null ? e : cause), e);
+    } catch (TimeoutException e) {
+      throw new ConnectException(failed + "the brokers do not answer", e);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      return null;
+      throw new ConnectException(failed + "interrupted", e);
     }
   }
 

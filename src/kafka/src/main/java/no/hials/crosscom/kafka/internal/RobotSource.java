@@ -177,12 +177,15 @@ public final class RobotSource implements Closeable {
 
   private synchronized void add(Update update) {
     if (closeGap(update.time()) && queue.offer(new Item(this, update, null))) {
-      if (update.time().isAfter(lastTime)) {
-        lastTime = update.time();
-      }
+      lastTime = later(lastTime, update.time());
     } else {
       lose(1, "the buffer of the task was full");
     }
+  }
+
+  /** Returns the later time. One in the future does not count: the clock was set back. */
+  private static Instant later(Instant before, Instant time) {
+    return time.isAfter(before) || before.isAfter(Instant.now()) ? time : before;
   }
 
   private void lose(long count, String reason) {
@@ -266,7 +269,7 @@ public final class RobotSource implements Closeable {
   /** Returns the value of the record of something that was queued, and counts it. */
   public Struct take(Item item, SampleRecords records) {
     sequence++;
-    lastMillis = Math.max(lastMillis, item.time().toEpochMilli());
+    lastMillis = later(Instant.ofEpochMilli(lastMillis), item.time()).toEpochMilli();
     Gap of = item.gap;
     if (of != null) {
       missed += of.missed();

@@ -112,4 +112,24 @@ class RobotSourceTest {
       assertThat(item.gap().from()).isAfterOrEqualTo(before.time());
     }
   }
+
+  @Test
+  void aGapAfterTheClockWasSetBackBeginsWithTheLastSample() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    long ahead = System.currentTimeMillis() + 3_600_000;
+    Map<String, Object> stored = Map.of("run", 5L, "sequence", 70L, "time", ahead);
+    try (RobotSource source = new RobotSource(plan(), queue, stored)) {
+      source.open(() -> true);
+      var unused = source.take(next(queue), records);
+      Item sample = next(queue);
+      source.resumed("held again");
+      Item item = sample;
+      while (item.gap() == null) {
+        unused = source.take(item, records);
+        item = next(queue);
+      }
+      assertThat(item.gap().from()).isBetween(sample.time(), item.gap().to());
+      assertThat((long) source.offset().get("time")).isBetween(1L, ahead - 1);
+    }
+  }
 }

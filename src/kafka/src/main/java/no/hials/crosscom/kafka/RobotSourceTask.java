@@ -184,7 +184,8 @@ public final class RobotSourceTask extends SourceTask {
         lost =
             called
                 ? "the task had not reached the broker"
-                : "the task had not been called: it was paused, frozen, or blocked by the broker";
+                : "the task had not been called: it was paused, frozen, or blocked by the broker, or"
+                    + " the clock was set";
         LOG.warn(
             "the lease of {} ms has ended, the robots are not used: {}",
             own.getLong(ConnectorSettings.LEASE),

@@ -135,8 +135,7 @@ public final class CommandWriter implements AutoCloseable {
               who(record), plant, robot, one.getValue().variable(), one.getValue().value());
           outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
-          // the lease may also have ended while the robot did not answer, which is no reason to
-          // wait
+          // a lease that ended while the robot did not answer does not count
           if (withoutLease.get()) {
             break; // nothing was sent
           }

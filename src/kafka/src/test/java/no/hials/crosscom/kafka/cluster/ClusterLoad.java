@@ -42,15 +42,7 @@ class ClusterLoad {
       broker.createTopic("robots-leases");
       try (Worker worker = new Worker(folder, "w1", broker.port()).awaitStart();
           KafkaConsumer<String, String> consumer = broker.consumer("robots")) {
-        worker.put(
-            "robots",
-            Map.of(
-                "connector.class",
-                "no.hials.crosscom.kafka.RobotSourceConnector",
-                "tasks.max",
-                "4",
-                "plant",
-                robots.file().toString()));
+        worker.read("robots", robots, 4);
         while (!robots.areReadSince(Instant.EPOCH)) {
           worker.await(50);
         }

@@ -229,15 +229,7 @@ class ConnectorsIT {
 
   @Test
   void samplesArriveWithTheirFieldsAndUnitsAndAGapIsToldAfterAChange() throws Exception {
-    worker.put(
-        name,
-        Map.of(
-            "connector.class",
-            "no.hials.crosscom.kafka.RobotSourceConnector",
-            "tasks.max",
-            "2",
-            "plant",
-            robots.file().toString()));
+    worker.read(name, robots, 2);
     try (KafkaConsumer<String, String> samples = broker.consumer("robots");
         KafkaConsumer<String, String> leases = broker.consumer("robots-leases")) {
       assertThat(Broker.await(samples, it -> isOf(it, "r2", "$POS_ACT")))

@@ -68,15 +68,7 @@ class FailoverIT {
     two = new Worker(folder, "w2", relay2.port());
     one.awaitStart();
     two.awaitStart();
-    one.put(
-        "robots",
-        Map.of(
-            "connector.class",
-            "no.hials.crosscom.kafka.RobotSourceConnector",
-            "tasks.max",
-            "4",
-            "plant",
-            robots.file().toString()));
+    one.read("robots", robots, 4);
     awaitBothWorkersHaveTasks();
   }
 

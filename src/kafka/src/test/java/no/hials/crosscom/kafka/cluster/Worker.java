@@ -96,6 +96,20 @@ final class Worker implements AutoCloseable {
             .build());
   }
 
+  /** Creates a connector that reads robots into the topic {@code robots}. */
+  void read(String connector, Robots robots, int tasks) throws IOException, InterruptedException {
+    String unused =
+        put(
+            connector,
+            Map.of(
+                "connector.class",
+                "no.hials.crosscom.kafka.RobotSourceConnector",
+                "tasks.max",
+                String.valueOf(tasks),
+                "plant",
+                robots.file().toString()));
+  }
+
   void delete(String connector) throws IOException, InterruptedException {
     HttpRequest request = HttpRequest.newBuilder(uri("/connectors/" + connector)).DELETE().build();
     HttpResponse<String> unused = HTTP.send(request, BodyHandlers.ofString());

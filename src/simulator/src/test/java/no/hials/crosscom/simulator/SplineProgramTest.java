@@ -451,24 +451,30 @@ class SplineProgramTest {
             + point(0, 100, -100)
             + "\n$OUT[1]=FALSE\n");
 
-    // the second half of the line is the first half of the parabola y = 60 + 40 t (2 - t), z = 40
-    // t²
-    double place = 100 + mm;
-    if (mm > -40) {
-      double length = 0;
-      double[] lengths = new double[2001];
-      for (int i = 1; i < lengths.length; i++) {
-        double t = (i - 0.5) / 2000;
-        length += Math.hypot(80 * (1 - t), 80 * t) / 2000;
-        lengths[i] = length;
-      }
-      int i = 0;
-      while (lengths[i] < length * (40 + mm) / 40 / 2) {
-        i++;
-      }
-      place = 60 + 40 * (i / 2000.0) * (2 - i / 2000.0);
-    }
+    double place = inTheCorner(mm);
     assertThat(relative(firedAt()).y()).isBetween(place - 0.1, place + 1.3);
+  }
+
+  /**
+   * Returns Y at a place before the end of 100 mm along Y, whose last 40 mm are a corner to -Z: the
+   * first half of the parabola y = 60 + 40 t (2 - t), z = 40 t².
+   */
+  private static double inTheCorner(int mm) {
+    if (mm <= -40) {
+      return 100 + mm;
+    }
+    double length = 0;
+    double[] lengths = new double[2001];
+    for (int i = 1; i < lengths.length; i++) {
+      double t = (i - 0.5) / 2000;
+      length += Math.hypot(80 * (1 - t), 80 * t) / 2000;
+      lengths[i] = length;
+    }
+    int i = 0;
+    while (lengths[i] < length * (40 + mm) / 40 / 2) {
+      i++;
+    }
+    return 60 + 40 * (i / 2000.0) * (2 - i / 2000.0);
   }
 
   // sections
@@ -551,6 +557,26 @@ class SplineProgramTest {
     cell.runToTheEnd();
     sample();
     assertThat(end().y()).isCloseTo(100, within(1e-3));
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {-43, -39, -30, -20, -10})
+  void stopsInACornerAtItsPlace(int mm) throws Exception {
+    cell.set("$OUT[5]", "TRUE");
+    cell.start(
+        "$VEL.CP=0.1\n$APO.CDIS=40\nSTOP WHEN PATH="
+            + mm
+            + " IF $OUT[5]==TRUE\nSLIN "
+            + point(0, 100, 0)
+            + " C_SPL\nSLIN "
+            + point(0, 100, -100));
+    cell.cycles(400);
+
+    assertThat(cell.controller.standing()).isTrue();
+    sample();
+    assertThat(end().y()).isCloseTo(inTheCorner(mm), within(0.1));
+    cell.set("$OUT[5]", "FALSE");
+    cell.runToTheEnd();
   }
 
   @Test

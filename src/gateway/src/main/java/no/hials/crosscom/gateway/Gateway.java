@@ -133,7 +133,7 @@ public final class Gateway implements AutoCloseable {
   }
 
   /**
-   * Takes another configuration. Robots and outputs that it does not change are not interrupted.
+   * Applies another configuration. Robots and outputs that it does not change are not interrupted.
    * The same configuration again starts what could not start before.
    *
    * @throws IOException if an output or a robot cannot start; the others are as configured

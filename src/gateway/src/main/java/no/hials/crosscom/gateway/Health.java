@@ -13,7 +13,7 @@ public final class Health {
   private final Map<String, Gauge> gauges = new ConcurrentHashMap<>();
 
   /**
-   * Returns a counter. An output that starts again goes on with the one it had.
+   * Returns a counter. An output that starts again continues its earlier one.
    *
    * @param name the name after {@code jopenshowvar_}, without {@code _total}
    */
@@ -29,7 +29,7 @@ public final class Health {
   }
 
   /**
-   * Returns a gauge. An output that starts again goes on with the one it had.
+   * Returns a gauge. An output that starts again continues its earlier one.
    *
    * @param name the name after {@code jopenshowvar_}
    */

@@ -16,7 +16,7 @@ import org.apache.kafka.connect.sink.SinkConnector;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes variables that records ask for, if the configuration of the plant allows it. Each record
+ * Writes the variables named in records, if the configuration of the plant allows it. Each record
  * is written at most once; one that fails, or whose outcome is unknown, goes to the dead-letter
  * topic.
  */

@@ -105,7 +105,9 @@ public final class Claims implements AutoCloseable {
     return back;
   }
 
-  /** Removes partitions, and returns the number of their records that were claimed, not written. */
+  /**
+   * Removes partitions, and returns the number of their records that were claimed but not written.
+   */
   public long close(Collection<TopicPartition> removed) {
     long left = 0;
     for (TopicPartition one : removed) {

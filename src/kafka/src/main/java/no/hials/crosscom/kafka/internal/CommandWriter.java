@@ -35,8 +35,8 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Writes what records ask for, each once: the records of a robot in their order, and the robots at
- * the same time, so that one that does not answer delays no other. Connects to a robot for the
- * records at hand.
+ * the same time, so that a silent robot delays no other. Connects to a robot for the records at
+ * hand.
  */
 public final class CommandWriter implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(CommandWriter.class);
@@ -72,7 +72,7 @@ public final class CommandWriter implements AutoCloseable {
    *
    * @return for each record that is done: empty if it was written, or why it was not. A record that
    *     is not in it was not sent
-   * @throws ConnectException if it is not known what became of the records
+   * @throws ConnectException if the outcome of the records is unknown
    */
   public Map<SinkRecord, Optional<Exception>> write(Collection<SinkRecord> records) {
     Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();

@@ -4,9 +4,9 @@ import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The right to use robots, which ends by itself. It is renewed by answers of the broker and counts
- * from the time when their requests were made, so that neither an answer that was long under way
- * nor a frozen process extends it. Thread-safe.
+ * The right to use robots, which expires. It is renewed by answers of the broker and counts from
+ * the time when their requests were made, so that neither an answer that was long under way nor a
+ * frozen process extends it. Thread-safe.
  */
 public final class Lease {
   private final long length;

@@ -10,7 +10,7 @@ import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PlantFile;
 
-/** Reads the configuration of a plant, which a connector hands to its tasks as text. */
+/** Reads the configuration of a plant, which a connector passes to its tasks as text. */
 public final class PlantText {
   /** The outputs of the gateway, which are ignored: the same file serves both. */
   private static final List<String> GATEWAY_TABLES = List.of("mqtt", "opcua", "prometheus");

@@ -137,9 +137,7 @@ public final class CommandQueue implements AutoCloseable {
     }
   }
 
-  /**
-   * Executes no more commands; the ones that wait are forgotten, one that runs comes to its end.
-   */
+  /** Drops the commands that wait; a running command finishes. */
   @Override
   public void close() {
     closed = true;

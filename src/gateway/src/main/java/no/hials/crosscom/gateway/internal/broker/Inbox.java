@@ -47,7 +47,7 @@ final class Inbox {
     return task.action;
   }
 
-  /** Returns whether more than half of the updates are there that have room. */
+  /** Returns whether the room for updates is more than half used. */
   synchronized boolean isHalfFull() {
     return updates > limit / 2;
   }

@@ -66,7 +66,7 @@ final class MessageStore implements AutoCloseable {
     }
   }
 
-  /** Opens the store with what is there from before. */
+  /** Opens the store with the messages of earlier runs. */
   MessageStore(Path folder, long limit, SessionFigures figures) {
     this.folder = folder;
     this.limit = limit;
@@ -158,7 +158,7 @@ final class MessageStore implements AutoCloseable {
     return all.putInt(Integer.BYTES, crc(all.slice(HEADER, length)));
   }
 
-  /** Adds a message. If the disk does not take it, it is lost, counted and logged. */
+  /** Adds a message. If it cannot be written to disk, it is lost, counted and logged. */
   void add(StoredMessage message) {
     ByteBuffer record = bytesOf(message);
     while (!segments.isEmpty() && bytes + record.remaining() > limit) {

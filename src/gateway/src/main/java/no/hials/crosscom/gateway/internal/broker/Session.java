@@ -72,7 +72,7 @@ public final class Session implements AutoCloseable {
     /** Goes to the store if the broker does not confirm the message; null to forget it. */
     private final @Nullable Supplier<StoredMessage> spare;
 
-    /** The message of the store that it is; null if it is new. */
+    /** The stored message; null if the message is new. */
     private final @Nullable StoredMessage stored;
 
     private boolean done;
@@ -237,7 +237,7 @@ public final class Session implements AutoCloseable {
 
   private void run() {
     if (!store().isEmpty()) {
-      LOG.info("MQTT {}: {} messages are stored from before", name, store().size());
+      LOG.info("MQTT {}: {} messages of an earlier run are stored", name, store().size());
     }
     long endBy = 0;
     while (endBy == 0 || System.nanoTime() - endBy < 0) {

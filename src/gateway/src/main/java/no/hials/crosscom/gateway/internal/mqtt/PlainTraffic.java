@@ -49,7 +49,7 @@ final class PlainTraffic implements Traffic {
   /**
    * Creates the traffic.
    *
-   * @param commands takes the commands; null if there are none
+   * @param commands executes the commands; null if there are none
    */
   PlainTraffic(
       MqttSettings settings,
@@ -116,7 +116,7 @@ final class PlainTraffic implements Traffic {
     publishStatus(robot, robot.isConnected());
   }
 
-  /** Publishes what a robot has. */
+  /** Publishes the values of a robot. */
   void updated(RobotFeed robot, List<Update> updates) {
     Map<String, byte[]> messages = current.computeIfAbsent(robot.name(), it -> new HashMap<>());
     for (Update update : updates) {
@@ -134,7 +134,7 @@ final class PlainTraffic implements Traffic {
     }
   }
 
-  /** Forgets a robot. The broker forgets the values that the configuration has no more. */
+  /** Forgets a robot. The broker forgets the values that are no longer configured. */
   void removed(RobotFeed robot) {
     robots.remove(robot);
     publishStatus(robot, false);

@@ -68,7 +68,7 @@ final class RobotsNamespace extends StaticNamespace {
     }
   }
 
-  /** Removes a node and its references; clients that watch it are told. */
+  /** Removes a node and its references, and notifies the clients that watch it. */
   void remove(UaNode node) {
     for (Reference reference : node.getReferences()) {
       getNodeManager().removeReferences(reference, getServer().getNamespaceTable());

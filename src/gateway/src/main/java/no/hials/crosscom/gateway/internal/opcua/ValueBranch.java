@@ -83,7 +83,7 @@ final class ValueBranch {
     } else if (value instanceof KrlArray array) {
       fitElements(array.elements());
     } else if (Leaf.isWholeArray(name) && !(value instanceof KrlString)) {
-      // an array of one element, as Leaf takes it
+      // an array of one element, as Leaf expects it
       fitElements(List.of(value));
     }
   }

@@ -82,7 +82,7 @@ final class Device {
         }
         for (DeviceMetric metric : metrics.values()) {
           if (metric.isOf(variable.key()) && metric.isGood() && !present.contains(metric)) {
-            // a field that the value has no more
+            // a field that the value no longer has
             metric.without(Quality.BAD, update.time());
             touched.add(metric);
           }

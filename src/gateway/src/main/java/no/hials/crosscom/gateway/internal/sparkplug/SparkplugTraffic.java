@@ -128,7 +128,7 @@ public final class SparkplugTraffic implements Traffic {
     }
   }
 
-  /** Publishes or stores what a robot has. */
+  /** Publishes or stores the values of a robot. */
   public void updated(RobotFeed robot, List<Update> updates) {
     Device device = devices.get(robot.name());
     if (device == null) {

@@ -280,7 +280,7 @@ class OpcUaTest {
   @Test
   void aWriteWithoutAnAnswerTimesOutAndIsNotRepeated() throws Exception {
     awaitGood(client, "cell1:$OV_PRO");
-    robot.fault(it -> it.request().toString().contains("77"), Fault.dropAnswer());
+    robot.fault(it -> it.request().toString().contains("value=77"), Fault.dropAnswer());
     OpcUaClient operator = plant.connect("anna", "of anna");
     try {
       assertThat(write(operator, robots(client, "cell1:$OV_PRO"), 77))
@@ -290,7 +290,7 @@ class OpcUaTest {
     }
 
     assertThat(robot.requests())
-        .filteredOn(it -> it.request().toString().contains("77"))
+        .filteredOn(it -> it.request().toString().contains("value=77"))
         .hasSize(1);
     assertThat(audit()).contains("the outcome is unknown");
   }

@@ -35,6 +35,11 @@ public final class CommandQueue implements AutoCloseable {
   private static final String TOO_LATE =
       "not executed: it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
 
+  private static final String ENDS = "not executed: the gateway ends";
+
+  /** The time for the answers to commands when the gateway ends. */
+  private static final Duration LONGEST_END = Duration.ofSeconds(2);
+
   private final GatewayContext context;
   private final LongSupplier nanoTime;
   private final Counter counter;
@@ -71,7 +76,7 @@ public final class CommandQueue implements AutoCloseable {
   public void execute(
       String who, String robot, String variable, String value, Consumer<String> result) {
     if (closed) {
-      result.accept(refused(who, robot, variable, "not executed: the gateway ends"));
+      result.accept(refused(who, robot, variable, ENDS));
       return;
     }
     RobotFeed feed = context.robot(robot);
@@ -89,12 +94,7 @@ public final class CommandQueue implements AutoCloseable {
     try {
       threads
           .computeIfAbsent(robot, CommandQueue::newThread)
-          .execute(
-              () ->
-                  result.accept(
-                      nanoTime.getAsLong() - latest > 0
-                          ? refused(who, robot, variable, TOO_LATE)
-                          : write(who, feed, variable, value)));
+          .execute(() -> result.accept(executeNow(who, feed, variable, value, latest)));
     } catch (RejectedExecutionException e) {
       result.accept(
           refused(who, robot, variable, "not executed: " + WAITING + " commands are waiting"));
@@ -118,6 +118,16 @@ public final class CommandQueue implements AutoCloseable {
     return executor;
   }
 
+  private String executeNow(
+      String who, RobotFeed feed, String variable, String value, long latest) {
+    if (closed) {
+      return refused(who, feed.name(), variable, ENDS);
+    }
+    return nanoTime.getAsLong() - latest > 0
+        ? refused(who, feed.name(), variable, TOO_LATE)
+        : write(who, feed, variable, value);
+  }
+
   private String write(String who, RobotFeed feed, String variable, String value) {
     String text = value.strip();
     boolean isText = feed.lastValue(variable).filter(KrlString.class::isInstance).isPresent();
@@ -137,16 +147,18 @@ public final class CommandQueue implements AutoCloseable {
     }
   }
 
-  /** Drops the commands that wait; a running command finishes. */
+  /** Refuses the commands that wait, and waits a short time for a running one. */
   @Override
   public void close() {
     closed = true;
-    threads
-        .values()
-        .forEach(
-            executor -> {
-              executor.getQueue().clear();
-              executor.shutdown();
-            });
+    threads.values().forEach(ThreadPoolExecutor::shutdown);
+    long end = System.nanoTime() + LONGEST_END.toNanos();
+    try {
+      for (ThreadPoolExecutor executor : threads.values()) {
+        boolean unused = executor.awaitTermination(end - System.nanoTime(), TimeUnit.NANOSECONDS);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
   }
 }

@@ -92,6 +92,43 @@ class CommandQueueTest {
     assertThat(server.variables().get("MYINT")).isEqualTo("4");
   }
 
+  @Test
+  void aCommandThatWaitsWhenTheGatewayEndsIsRefused() throws Exception {
+    server.variables().set("MYINT", "1");
+    Plant plant = plant();
+    CountDownLatch released = new CountDownLatch(1);
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (RobotFeed feed =
+        RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {})) {
+      CommandQueue queue = new CommandQueue(new Context(plant, feed, folder, new Health()));
+      queue.execute(
+          "test",
+          "cell1",
+          "MYINT",
+          "2",
+          result -> {
+            results.add(result);
+            awaitUninterruptibly(released);
+          });
+      assertThat(results.take()).isEqualTo("done");
+      queue.execute("test", "cell1", "MYINT", "3", results::add);
+
+      Thread closing = new Thread(queue::close);
+      closing.start();
+      String refused;
+      do {
+        BlockingQueue<String> other = new LinkedBlockingQueue<>();
+        queue.execute("test", "cell9", "MYINT", "9".repeat(5000), other::add);
+        refused = other.take();
+      } while (!refused.endsWith("the gateway ends"));
+      released.countDown();
+
+      assertThat(results.take()).isEqualTo("not executed: the gateway ends");
+      closing.join();
+    }
+    assertThat(server.variables().get("MYINT")).isEqualTo("2");
+  }
+
   private static void awaitUninterruptibly(CountDownLatch latch) {
     try {
       latch.await();

@@ -20,6 +20,8 @@ import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
 import no.hials.crosscom.gateway.internal.opcua.OpcUaKind;
 import no.hials.crosscom.gateway.internal.prometheus.PrometheusKind;
 import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
@@ -45,9 +47,14 @@ import picocli.CommandLine.Spec;
       "  jopenshowvar gateway --mock 3 --mqtt tcp://127.0.0.1:1883 --prometheus 127.0.0.1:9464"
     })
 public final class GatewayMain implements Callable<Integer> {
+  private static final Logger LOG = LoggerFactory.getLogger(GatewayMain.class);
   private static final List<OutputKind<?>> KINDS =
       List.of(new PrometheusKind(), new MqttKind(), new OpcUaKind());
   private static final long CHANGE_CHECK_SECONDS = 1;
+
+  /** A broker that is silent costs some seconds; then unconfirmed messages are stored. */
+  private static final long MAX_SECONDS_TO_END = 30;
+
   private static final int MAX_MOCKS = 1000;
   private static final int WRONG_USAGE = 2;
   private static final int FAILED = 3;
@@ -163,7 +170,11 @@ public final class GatewayMain implements Callable<Integer> {
   private static void stop(CountDownLatch end, CountDownLatch ended) {
     end.countDown();
     try {
-      boolean unused = ended.await(5, TimeUnit.SECONDS);
+      if (!ended.await(MAX_SECONDS_TO_END, TimeUnit.SECONDS)) {
+        LOG.error(
+            "the gateway did not end within {} s: messages that are not stored are lost",
+            MAX_SECONDS_TO_END);
+      }
     } catch (InterruptedException e) {
       // the process ends
     }

@@ -452,11 +452,16 @@ public final class Session implements AutoCloseable {
     }
   }
 
+  /** Begins to close, without waiting, so that several sessions can end at the same time. */
+  public void beginClose() {
+    closing = true;
+    LockSupport.unpark(thread);
+  }
+
   /** Publishes or stores what is submitted, and ends the connection. */
   @Override
   public void close() {
-    closing = true;
-    LockSupport.unpark(thread);
+    beginClose();
     try {
       thread.join(TimeUnit.NANOSECONDS.toMillis(3 * END));
     } catch (InterruptedException e) {

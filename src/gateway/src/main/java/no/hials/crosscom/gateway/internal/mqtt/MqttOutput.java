@@ -100,6 +100,9 @@ final class MqttOutput implements Output {
     if (commands != null) {
       commands.close();
     }
+    if (sparkplug != null) {
+      sparkplug.session.beginClose();
+    }
     session.close();
     if (sparkplug != null) {
       sparkplug.session.close();

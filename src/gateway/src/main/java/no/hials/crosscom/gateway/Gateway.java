@@ -153,6 +153,9 @@ public final class Gateway implements AutoCloseable {
         apply(kind, config.outputs().get(kind.table()));
       } catch (IOException e) {
         failure = e;
+      } catch (RuntimeException e) {
+        // as in a call of an output: it must not end the gateway
+        failure = new IOException("[" + kind.table() + "] cannot start: " + e, e);
       }
     }
     for (PollPlan plan : plans.values()) {

@@ -55,6 +55,9 @@ class GatewayTest {
 
     @Override
     public Output open(String settings, GatewayContext context) throws IOException {
+      if (settings.equals("throws")) {
+        throw new IllegalStateException("broken");
+      }
       if (settings.equals("cannot start") || occupied) {
         throw new IOException("the output cannot start");
       }
@@ -177,6 +180,18 @@ class GatewayTest {
     GatewayConfig next = config("\"$OV_PRO\"", "cannot start", first, second);
 
     assertThatThrownBy(() -> gateway.apply(next)).hasMessage("the output cannot start");
+
+    assertThat(gateway.robots()).hasSize(2);
+  }
+
+  @Test
+  void anOutputThatIsBrokenDoesNotEndTheGateway() throws Exception {
+    start(config("\"$OV_PRO\"", "a", first));
+    GatewayConfig next = config("\"$OV_PRO\"", "throws", first, second);
+
+    assertThatThrownBy(() -> gateway.apply(next))
+        .isInstanceOf(IOException.class)
+        .hasMessage("[notes] cannot start: java.lang.IllegalStateException: broken");
 
     assertThat(gateway.robots()).hasSize(2);
   }

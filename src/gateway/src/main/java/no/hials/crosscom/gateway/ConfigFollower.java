@@ -6,13 +6,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Lets a gateway follow its configuration. A configuration with an error is refused. If an output
- * or a robot of a valid one cannot start, it is tried again. Not thread-safe.
+ * Applies changes of the configuration to a running gateway. A configuration with an error is
+ * refused. An output or robot that cannot start is tried again later. Not thread-safe.
  */
 final class ConfigFollower {
   private static final Logger LOG = LoggerFactory.getLogger(ConfigFollower.class);
 
-  /** The checks from one attempt to the next, since a start costs time and lines in the log. */
+  /** Checks from one attempt to the next. Each attempt costs time and lines in the log. */
   private static final int CHECKS_TO_RETRY = 10;
 
   private final Gateway gateway;
@@ -25,9 +25,9 @@ final class ConfigFollower {
   @FunctionalInterface
   interface Source {
     /**
-     * Reads the configuration of now.
+     * Reads the current configuration.
      *
-     * @throws FileException if something is wrong with it
+     * @throws FileException if it has an error
      */
     GatewayConfig read() throws FileException;
   }
@@ -35,7 +35,7 @@ final class ConfigFollower {
   /**
    * Creates a follower.
    *
-   * @param first the configuration that the gateway has
+   * @param first the configuration that the gateway was started with
    */
   ConfigFollower(Gateway gateway, GatewayConfig first, Source source) {
     this.gateway = gateway;

@@ -25,7 +25,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Reads the robots of a configuration and passes their values on to its outputs. {@link #apply}
- * changes the configuration, and does not interrupt the robots and outputs that stay the same.
+ * changes the configuration without interrupting the robots and outputs that stay the same.
  */
 public final class Gateway implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Gateway.class);
@@ -81,7 +81,7 @@ public final class Gateway implements AutoCloseable {
     return gateway;
   }
 
-  /** An output with its settings. Its exceptions are logged, and disturb nothing else. */
+  /** An output with its settings. Its exceptions are logged, and affect nothing else. */
   private static final class RunningOutput {
     private final Object settings;
     private final Output output;
@@ -134,7 +134,8 @@ public final class Gateway implements AutoCloseable {
 
   /**
    * Applies another configuration. Robots and outputs that it does not change are not interrupted.
-   * The same configuration again starts what could not start before.
+   * Applying the same configuration again starts the outputs and robots that could not start
+   * before.
    *
    * @throws IOException if an output or a robot cannot start; the others are as configured
    */
@@ -180,7 +181,7 @@ public final class Gateway implements AutoCloseable {
       running = null;
     }
     if (running == null && settings != null) {
-      @SuppressWarnings("unchecked") // the kind has read them
+      @SuppressWarnings("unchecked") // read by the same kind
       S own = (S) settings;
       RunningOutput started = new RunningOutput(own, kind.open(own, new Context()));
       robots.values().forEach(robot -> started.call(output -> output.added(robot)));
@@ -193,7 +194,7 @@ public final class Gateway implements AutoCloseable {
     RobotFeed feed = RobotFeed.open(plan, opener, this::passOn);
     robots.put(plan.robot().name(), feed);
     outputs.values().forEach(one -> one.call(output -> output.added(feed)));
-    // the first updates, if the robot is off, came before the outputs knew the robot
+    // if the robot is off, its first updates came before the outputs knew it
     feed.repeat();
     feed.start();
   }
@@ -223,7 +224,7 @@ public final class Gateway implements AutoCloseable {
     return health;
   }
 
-  /** Ends all readings and outputs. */
+  /** Stops all readings and outputs. */
   @Override
   public synchronized void close() {
     timer.shutdownNow();

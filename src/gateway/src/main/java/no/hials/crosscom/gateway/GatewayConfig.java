@@ -14,7 +14,7 @@ import no.hials.crosscom.cell.feed.PlantFile;
 /**
  * A configuration of the gateway.
  *
- * @param plant the robots and what is read from them
+ * @param plant the robots and the variables to read
  * @param folder the folder for the files of outputs
  * @param outputs the settings of the outputs, by the names of their tables
  */
@@ -30,7 +30,7 @@ public record GatewayConfig(Plant plant, Path folder, Map<String, Object> output
    * @param root the file
    * @param more robots that are not in the file
    * @param kinds the available kinds of outputs
-   * @throws FileException if something is wrong, with its line and the rule
+   * @throws FileException if the configuration has an error; the message has its line and the rule
    */
   public static GatewayConfig read(
       TomlTable root, Path folder, Map<String, Robot> more, List<OutputKind<?>> kinds)

@@ -8,13 +8,15 @@ import org.jspecify.annotations.Nullable;
 
 /** The parts of the gateway that outputs use. Thread-safe. */
 public interface GatewayContext {
-  /** Returns the plant as it is configured now. */
+  /** Returns the plant as currently configured. */
   Plant plant();
 
-  /** Returns a robot; null if there is none of this name now. */
+  /** Returns the robot of this name; null if there is none. */
   @Nullable RobotFeed robot(String name);
 
-  /** Returns the writes of other systems. Writing blocks: not for the thread of an update. */
+  /**
+   * Returns the writer for other systems. A write blocks: do not write on the thread of an update.
+   */
   Writes writes();
 
   /** Returns the folder for the files of outputs. */

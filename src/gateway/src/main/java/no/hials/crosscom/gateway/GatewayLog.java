@@ -13,22 +13,24 @@ import ch.qos.logback.core.status.NopStatusListener;
 import java.util.List;
 
 /**
- * Configures logback, which finds it as a service, before the file {@code logback.xml} of a
- * library: what an operator has to know goes to stderr, one line each. Texts from outside cannot
- * begin a line.
+ * Configures logback: messages for the operator go to stderr, one line each. Text from outside
+ * cannot start a new line. Logback finds this class as a service, and prefers it to the file
+ * {@code logback.xml} of a library.
  */
 @ConfiguratorRank(ConfiguratorRank.CUSTOM_HIGH_PRIORITY)
 public final class GatewayLog extends ContextAwareBase implements Configurator {
   private static final String PATTERN =
       "%d{yyyy-MM-dd'T'HH:mm:ss.SSSXXX} %-5level %replace(%msg){'\\p{Cntrl}', '?'}%n";
 
-  /** They log stack traces for each client that is refused; the OPC UA output has its own lines. */
+  /**
+   * Loggers that print a stack trace for each refused client. The OPC UA output logs its own lines.
+   */
   private static final List<String> OF_REFUSED_CLIENTS =
       List.of(
           "org.eclipse.milo.opcua.stack.transport.server",
           "org.eclipse.milo.opcua.sdk.server.diagnostics");
 
-  /** Creates the configurator; for the service loader. */
+  /** Called by the service loader. */
   public GatewayLog() {}
 
   @Override
@@ -36,7 +38,7 @@ public final class GatewayLog extends ContextAwareBase implements Configurator {
     if (System.getProperty("logback.configurationFile") != null) { // the operator's own
       return ExecutionStatus.INVOKE_NEXT_IF_ANY;
     }
-    // logback's own notes would go to stdout
+    // logback would print its own messages to stdout
     context.getStatusManager().add(new NopStatusListener());
 
     PatternLayoutEncoder encoder = new PatternLayoutEncoder();

@@ -109,7 +109,7 @@ public final class GatewayMain implements Callable<Integer> {
   private GatewayMain() {}
 
   /**
-   * Runs the gateway, and ends the process.
+   * Runs the gateway, and exits the process.
    *
    * @param args the arguments
    */
@@ -166,7 +166,7 @@ public final class GatewayMain implements Callable<Integer> {
     }
   }
 
-  /** Lets the gateway end in order when the process is stopped. */
+  /** Called when the process is stopped; waits for the gateway to close. */
   private static void stop(CountDownLatch end, CountDownLatch ended) {
     end.countDown();
     try {
@@ -176,11 +176,11 @@ public final class GatewayMain implements Callable<Integer> {
             MAX_SECONDS_TO_END);
       }
     } catch (InterruptedException e) {
-      // the process ends
+      // the process ends anyway
     }
   }
 
-  /** Takes changes of the file until the end. */
+  /** Applies changes of the file until the gateway is stopped. */
   private void follow(
       Gateway gateway, GatewayConfig first, Map<String, Robot> mocked, CountDownLatch end)
       throws InterruptedException {
@@ -200,7 +200,7 @@ public final class GatewayMain implements Callable<Integer> {
     out.flush();
   }
 
-  /** Reads the file and the options, which stand for tables of their own. */
+  /** Reads the file, and adds the tables that the options stand for. */
   private GatewayConfig read(Map<String, Robot> more) throws FileException {
     Path place = file == null ? Path.of("options") : file;
     String text = file == null ? "" : TomlTable.textOf(file);

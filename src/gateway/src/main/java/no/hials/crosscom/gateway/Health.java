@@ -13,7 +13,7 @@ public final class Health {
   private final Map<String, Gauge> gauges = new ConcurrentHashMap<>();
 
   /**
-   * Returns a counter. An output that starts again continues its earlier one.
+   * Returns a counter. An output that restarts gets its earlier counter.
    *
    * @param name the name after {@code jopenshowvar_}, without {@code _total}
    */
@@ -29,7 +29,7 @@ public final class Health {
   }
 
   /**
-   * Returns a gauge. An output that starts again continues its earlier one.
+   * Returns a gauge. An output that restarts gets its earlier gauge.
    *
    * @param name the name after {@code jopenshowvar_}
    */

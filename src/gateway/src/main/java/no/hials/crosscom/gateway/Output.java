@@ -6,14 +6,14 @@ import no.hials.crosscom.cell.feed.Update;
 
 /**
  * Passes values on to another system. An output never delays the readings of a robot or another
- * output: its methods do not block, and its own failures stay its own.
+ * output: its methods do not block, and its failures do not affect them.
  */
 public interface Output extends AutoCloseable {
   /** Called before the first update of a robot. */
   void added(RobotFeed robot);
 
   /**
-   * Called with updates of a robot, at most once at a time for each.
+   * Called with updates of a robot. Calls for the same robot never overlap.
    *
    * @param updates at least one, of variables that were read together
    */
@@ -22,7 +22,7 @@ public interface Output extends AutoCloseable {
   /** Called after the last update of a robot that was removed from the configuration. */
   void removed(RobotFeed robot);
 
-  /** Ends the output. */
+  /** Stops the output. */
   @Override
   void close();
 }

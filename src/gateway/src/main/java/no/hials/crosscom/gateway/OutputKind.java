@@ -16,15 +16,15 @@ public interface OutputKind<S> {
   /**
    * Reads the settings.
    *
-   * @throws FileException if something is wrong, with its line and the rule
+   * @throws FileException if the table has an error; the message has its line and the rule
    */
   S read(TomlTable table) throws FileException;
 
   /**
    * Starts an output.
    *
-   * @throws IOException if it cannot start; an output starts without the other system, unless that
-   *     is on this computer
+   * @throws IOException if it cannot start. An output starts even if its remote system does not
+   *     answer
    */
   Output open(S settings, GatewayContext context) throws IOException;
 }

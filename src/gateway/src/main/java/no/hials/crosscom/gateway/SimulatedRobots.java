@@ -14,9 +14,9 @@ import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.simulator.KrlFileException;
 
-/** Robots that are simulated in this process, and run a program that moves them. */
+/** Robots that are simulated in this process. They run a program that moves them. */
 final class SimulatedRobots implements AutoCloseable {
-  /** Moves the robot to and fro. */
+  /** Moves the robot back and forth. */
   private static final String PROGRAM =
       """
       DEF DEMO ( )
@@ -69,7 +69,7 @@ final class SimulatedRobots implements AutoCloseable {
     return robots;
   }
 
-  /** Connects to any robot; one with {@code mock = true} in the file is simulated as well. */
+  /** Connects to any robot; a robot with {@code mock = true} in the file is simulated as well. */
   RobotConnection open(Robot robot, Consumer<ClientConfig.Builder> settings) throws IOException {
     if (robot.host() != null) {
       return RobotConnection.openLazily(robot, settings);

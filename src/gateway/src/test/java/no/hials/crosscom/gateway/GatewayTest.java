@@ -40,7 +40,7 @@ class GatewayTest {
     gateway.close();
   }
 
-  /** Notes what it is called with; the setting {@code fails} lets it throw. */
+  /** Records its calls; throws with the setting {@code fails}. */
   private final class Notes implements OutputKind<String> {
     @Override
     public String table() {

@@ -51,7 +51,7 @@ final class OpcUaPlant implements AutoCloseable {
   /**
    * Starts a gateway.
    *
-   * @param text the configuration, with {@code PORT} where the port of the server belongs
+   * @param text the configuration, with {@code PORT} in place of the server's port
    */
   OpcUaPlant(Path folder, String text) throws IOException {
     this.folder = folder;
@@ -72,7 +72,7 @@ final class OpcUaPlant implements AutoCloseable {
     return GatewayConfig.read(root, folder, Map.of(), KINDS);
   }
 
-  /** Takes another configuration. */
+  /** Applies another configuration. */
   void apply(String text) throws IOException {
     gateway.apply(read(text));
   }
@@ -113,7 +113,7 @@ final class OpcUaPlant implements AutoCloseable {
     }
   }
 
-  /** Returns an id by the address of its namespace. */
+  /** Returns an id by the URI of its namespace. */
   static NodeId id(OpcUaClient client, String namespace, Object identifier) {
     int index = client.getNamespaceTable().getIndex(namespace).intValue();
     return identifier instanceof Integer number
@@ -135,7 +135,7 @@ final class OpcUaPlant implements AutoCloseable {
         .getResults()[0];
   }
 
-  /** Reads until a value is as expected; the test's limit of time is the deadline. */
+  /** Reads until a value is as expected; the test's timeout is the deadline. */
   static DataValue await(OpcUaClient client, NodeId id, Predicate<DataValue> condition)
       throws UaException {
     DataValue value;
@@ -160,7 +160,7 @@ final class OpcUaPlant implements AutoCloseable {
         .value();
   }
 
-  /** Returns the objects and variables of a node that are of a type. */
+  /** Returns the objects and variables of a node that have a type. */
   static List<ReferenceDescription> children(OpcUaClient client, NodeId id, NodeId type)
       throws UaException {
     BrowseDescription all =
@@ -182,7 +182,7 @@ final class OpcUaPlant implements AutoCloseable {
         .toList();
   }
 
-  /** Returns the values of a node as they come. */
+  /** Subscribes to a node, and returns the queue of its values. */
   static BlockingQueue<DataValue> subscribe(OpcUaClient client, NodeId id) throws UaException {
     BlockingQueue<DataValue> values = new LinkedBlockingQueue<>();
     OpcUaMonitoredItem item =

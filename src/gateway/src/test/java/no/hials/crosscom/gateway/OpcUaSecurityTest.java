@@ -43,7 +43,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class OpcUaSecurityTest {
   private static final String CLIENT_URI = "urn:test:client";
 
-  /** One for all tests, with the key of the server, which takes time to create. */
+  /** Shared by all tests, since the server's key takes time to create. */
   @TempDir private static Path folder;
 
   private static KeyPair keys;

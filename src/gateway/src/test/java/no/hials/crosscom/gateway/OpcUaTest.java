@@ -45,7 +45,7 @@ class OpcUaTest {
 
   @KukaController private MockServer robot;
 
-  /** One for all tests, with the key of the server, which takes time to create. */
+  /** Shared by all tests, since the server's key takes time to create. */
   @TempDir private static Path folder;
 
   private OpcUaPlant plant;

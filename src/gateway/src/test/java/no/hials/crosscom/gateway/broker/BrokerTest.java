@@ -48,7 +48,7 @@ abstract class BrokerTest {
     return gateway;
   }
 
-  /** Returns a configuration, with the robot. */
+  /** Returns a configuration with the robot. */
   GatewayConfig config(String text) throws IOException {
     String robots =
         """
@@ -74,7 +74,7 @@ abstract class BrokerTest {
         + "\n";
   }
 
-  /** Returns the sum of a figure of the gateway, over its labels. */
+  /** Returns a figure of the gateway, summed over its labels. */
   static double figure(Gateway gateway, String name) {
     double sum = 0;
     for (MetricSnapshot one : gateway.health().registry().scrape()) {

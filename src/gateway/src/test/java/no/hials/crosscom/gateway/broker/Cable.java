@@ -16,7 +16,7 @@ final class Cable implements AutoCloseable {
   private final Set<Socket> sockets = ConcurrentHashMap.newKeySet();
   private boolean connected;
 
-  /** Creates a cable, which is cut until {@link #connect}. */
+  /** Creates a cable that is cut until {@link #connect}. */
   Cable(int target) throws IOException {
     this.target = target;
     this.server = new ServerSocket(0, 50, InetAddress.getLoopbackAddress());

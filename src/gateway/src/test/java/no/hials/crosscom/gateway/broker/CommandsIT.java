@@ -228,7 +228,7 @@ class CommandsIT extends BrokerTest {
     start(READ + mqtt(broker));
     try (Observer observer = observer(broker)) {
       observer.publish(SET, "20", false);
-      // whatever the broker has sent before the next value
+      // anything that the broker sends for the command comes before the next value
       robot.variables().set("$OV_PRO", "11");
       observer.await(VALUE, "\"value\":11");
 

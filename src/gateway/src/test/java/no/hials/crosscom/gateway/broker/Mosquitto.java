@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Assumptions;
 
-/** Debian's broker on a free port of the loopback address. It keeps nothing when it ends. */
+/** Debian's broker on a free port of the loopback address. It loses its messages when it ends. */
 final class Mosquitto implements AutoCloseable {
   private static final Path PROGRAM = Path.of("/usr/sbin/mosquitto");
   private static final Duration PATIENCE = Duration.ofSeconds(20);
@@ -24,7 +24,7 @@ final class Mosquitto implements AutoCloseable {
   /**
    * Starts a broker, or skips the test if it is not installed.
    *
-   * @param settings lines of its configuration, of its listener
+   * @param settings lines of its configuration, for its listener
    */
   Mosquitto(Path folder, String settings) throws IOException, InterruptedException {
     if (!Files.isExecutable(PROGRAM)) {
@@ -75,7 +75,7 @@ final class Mosquitto implements AutoCloseable {
     }
   }
 
-  /** Ends the broker without a goodbye to its clients. */
+  /** Kills the broker without disconnecting its clients first. */
   void kill() {
     close();
   }

@@ -14,7 +14,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
-/** A client that keeps all messages it gets, in their order. */
+/** A client that keeps all messages it gets, in order. */
 final class Observer implements AutoCloseable {
   private static final long PATIENCE = Duration.ofSeconds(20).toNanos();
 
@@ -85,7 +85,7 @@ final class Observer implements AutoCloseable {
     return new String(message.getPayloadAsBytes(), StandardCharsets.UTF_8);
   }
 
-  /** Waits until the messages are as wanted, and returns them. */
+  /** Waits until the messages are as expected, and returns them. */
   synchronized List<Mqtt5Publish> await(Predicate<List<Mqtt5Publish>> condition)
       throws InterruptedException {
     long end = System.nanoTime() + PATIENCE;
@@ -103,7 +103,7 @@ final class Observer implements AutoCloseable {
     return List.copyOf(messages);
   }
 
-  /** Waits for a message of a topic with a part of its text, and returns the first one. */
+  /** Waits for a message of a topic that contains a text, and returns the first one. */
   Mqtt5Publish await(String topic, String part) throws InterruptedException {
     Predicate<Mqtt5Publish> wanted =
         it -> it.getTopic().toString().equals(topic) && text(it).contains(part);

@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A running program whose output is read, to its end, so that the program never waits for it. */
+/** A running program whose output is read to the end, so that the program never blocks on it. */
 final class OutputLines implements AutoCloseable {
   private final Process process;
   private final BufferedReader reader;
@@ -41,7 +41,7 @@ final class OutputLines implements AutoCloseable {
   private void readToTheEnd() {
     try {
       while (reader.readLine() != null) {
-        // nobody needs it
+        // only keeps the program from blocking
       }
     } catch (IOException e) {
       if (process.isAlive()) {

@@ -30,7 +30,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * The dashboard and the alerts of {@code examples/gateway} on Debian's Prometheus, which reads a
- * gateway with two simulated robots and all outputs. Its broker is away.
+ * gateway with two simulated robots and all outputs. Its broker does not run.
  */
 @Timeout(120)
 class PrometheusIT {
@@ -137,7 +137,7 @@ class PrometheusIT {
         .replace("$__rate_interval", "2s");
   }
 
-  /** Returns the numbers of a query as soon as it has some, and some for each of the robots. */
+  /** Returns the numbers of a query as soon as it has at least one for each of the robots. */
   private static JsonNode awaitSeries(String query, List<String> robots) throws Exception {
     while (true) {
       JsonNode series = prometheus.query(query);

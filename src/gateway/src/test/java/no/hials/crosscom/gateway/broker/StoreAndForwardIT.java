@@ -35,7 +35,7 @@ class StoreAndForwardIT extends BrokerTest {
     robot.variables().declare("COUNTER", "INT", "0");
   }
 
-  /** Lets the gateway read each of these numbers. */
+  /** Makes the gateway read each of these numbers. */
   private void count(Gateway reading, int from, int to) {
     for (int i = from; i <= to; i++) {
       String next = String.valueOf(i);

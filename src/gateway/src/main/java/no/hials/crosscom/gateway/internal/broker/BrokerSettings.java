@@ -13,7 +13,7 @@ import no.hials.crosscom.cell.FileException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a broker is reached.
+ * The settings of the connections to a broker.
  *
  * @param host its name or address
  * @param port its port
@@ -51,7 +51,7 @@ public record BrokerSettings(
   }
 
   /**
-   * Returns the password, without the end of its line.
+   * Returns the password, without the line break.
    *
    * @throws FileException if it cannot be read
    */
@@ -66,7 +66,7 @@ public record BrokerSettings(
   /**
    * Creates a trust manager with the certificates of a file.
    *
-   * @throws FileException if it cannot be read, or has no certificate
+   * @throws FileException if the file cannot be read, or has no certificate
    */
   public static TrustManagerFactory trust(Path file) throws FileException {
     try (InputStream in = Files.newInputStream(file)) {

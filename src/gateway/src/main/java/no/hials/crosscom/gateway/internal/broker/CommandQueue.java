@@ -21,7 +21,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Executes commands of other systems, one at a time for each robot, on a thread for each robot that
- * has commands. Nothing is repeated. Thread-safe.
+ * has commands. No command is repeated. Thread-safe.
  */
 public final class CommandQueue implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(CommandQueue.class);
@@ -29,7 +29,7 @@ public final class CommandQueue implements AutoCloseable {
   private static final int LONGEST_VALUE = 4096;
   private static final int IDLE_SECONDS = 10;
 
-  /** A command that waited longer, behind those that a robot did not answer, is out of date. */
+  /** A command that waited longer, for example for a robot that did not answer, is out of date. */
   private static final Duration LONGEST_WAIT = Duration.ofSeconds(5);
 
   private static final String TOO_LATE =
@@ -46,7 +46,7 @@ public final class CommandQueue implements AutoCloseable {
   private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
   private volatile boolean closed;
 
-  /** Creates an object that writes with the permissions of the gateway. */
+  /** Creates a queue that writes with the permissions of the gateway. */
   public CommandQueue(GatewayContext context) {
     this(context, System::nanoTime);
   }

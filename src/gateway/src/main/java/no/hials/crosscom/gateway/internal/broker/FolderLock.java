@@ -11,8 +11,7 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps a second gateway out of a folder: each would forward and delete the messages of the other
- * one.
+ * Keeps a second gateway out of a folder: each would forward and delete the messages of the other.
  */
 public final class FolderLock implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(FolderLock.class);
@@ -36,7 +35,7 @@ public final class FolderLock implements AutoCloseable {
           FileChannel.open(
               folder.resolve("lock"), StandardOpenOption.CREATE, StandardOpenOption.WRITE);
     } catch (IOException e) {
-      // a full disk must not stop the values that are published
+      // values are published even if the disk is full
       LOG.warn("cannot lock {}: {}", folder, e.toString());
       return new FolderLock(null);
     }

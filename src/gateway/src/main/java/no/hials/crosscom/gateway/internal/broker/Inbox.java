@@ -6,22 +6,22 @@ import java.util.Iterator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Tasks for the thread of a session, which other threads add without waiting. Tasks with updates
- * are bounded by the number of their updates: the oldest go. Thread-safe.
+ * Tasks for the thread of a session, which other threads add without waiting. The number of waiting
+ * updates is limited: above the limit, the oldest tasks with updates are dropped. Thread-safe.
  */
 final class Inbox {
   private final int limit;
   private final Deque<Task> tasks = new ArrayDeque<>();
   private int updates;
 
-  /** A task with so many updates; 0 for one that is never dropped. */
+  /** A task and the number of its updates; 0 for a task that is never dropped. */
   record Task(int updates, Runnable action) {}
 
   Inbox(int limit) {
     this.limit = limit;
   }
 
-  /** Adds a task, and returns the number of updates that were dropped for it. */
+  /** Adds a task, and returns the number of updates that were dropped to make room. */
   synchronized int add(int more, Runnable action) {
     tasks.add(new Task(more, action));
     updates += more;
@@ -37,7 +37,7 @@ final class Inbox {
     return dropped;
   }
 
-  /** Returns the oldest task; null if there is none. */
+  /** Removes and returns the oldest task; null if there is none. */
   synchronized @Nullable Runnable poll() {
     Task task = tasks.poll();
     if (task == null) {
@@ -47,7 +47,7 @@ final class Inbox {
     return task.action;
   }
 
-  /** Returns whether the room for updates is more than half used. */
+  /** Returns whether the waiting updates exceed half of the limit. */
   synchronized boolean isHalfFull() {
     return updates > limit / 2;
   }

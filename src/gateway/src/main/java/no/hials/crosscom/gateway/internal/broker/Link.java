@@ -9,27 +9,30 @@ import java.util.function.Consumer;
 import no.hials.crosscom.cell.FileException;
 import org.jspecify.annotations.Nullable;
 
-/** One connection to a broker, from its beginning to its end. It does not reconnect. */
+/** One connection to a broker, which does not reconnect. */
 interface Link {
   /** The period of keep-alives; a broker that is silent for 1.5 periods counts as lost. */
   int KEEP_ALIVE_SECONDS = 10;
 
-  /** Connects, with a clean session: nothing waits in the broker for this client. */
+  /** Connects with a clean session: the broker keeps no messages for this client. */
   CompletableFuture<?> connect();
 
   /** Subscribes to a topic filter. */
   CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver);
 
-  /** Publishes a message. The future ends when the broker has it, as far as its quality tells. */
+  /**
+   * Publishes a message. The future completes when the broker has the message, as far as the
+   * quality of service confirms it.
+   */
   CompletableFuture<?> publish(Publication message);
 
-  /** Ends the connection, so that the broker does not publish the will. */
+  /** Disconnects, so that the broker does not publish the will. */
   CompletableFuture<?> disconnect();
 
   /**
    * Creates a link.
    *
-   * @param lost called with the reason when the connection is lost or could not be made
+   * @param lost called with the reason when the connection is lost or fails
    * @throws IOException if the files of the settings cannot be read
    */
   static Link create(BrokerSettings settings, Publication will, Consumer<Throwable> lost)
@@ -43,7 +46,7 @@ interface Link {
       builder = builder.identifier(settings.clientId());
     }
     if (settings.tls()) {
-      // without a verifier of its own, the client checks the name of the host as for HTTPS
+      // without an explicit verifier, the client checks the name of the host as for HTTPS
       builder =
           builder.sslConfig(
               settings.caFile() == null

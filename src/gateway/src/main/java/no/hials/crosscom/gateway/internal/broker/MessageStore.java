@@ -22,9 +22,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Keeps messages in files, in their order, up to a size; then the oldest file goes. Each message is
- * in the file when {@link #add} returns, so that it survives the end of the process. A file is
- * deleted when all its messages are confirmed. Not thread-safe.
+ * Keeps messages in files, in order, up to a maximum size, above which the oldest file is deleted.
+ * A message is in its file when {@link #add} returns, so that it survives the end of the process. A
+ * file is deleted when all its messages are confirmed. Not thread-safe.
  *
  * <p>A message in a file: length of the rest (4 bytes), CRC-32 of the rest without itself (4),
  * length of the topic (2), topic in UTF-8, payload.
@@ -55,7 +55,7 @@ final class MessageStore implements AutoCloseable {
   private boolean failing;
   private boolean dropping;
 
-  /** A file with so many bytes and messages that are intact. */
+  /** A file, with the number of its intact bytes and messages. */
   private static final class Segment {
     private final Path file;
     private long bytes;
@@ -102,7 +102,7 @@ final class MessageStore implements AutoCloseable {
     }
   }
 
-  /** Returns the messages up to the end or to the first damage, and notes their size. */
+  /** Returns the messages up to the end or to the first damage, and records their size. */
   private List<StoredMessage> read(Segment segment, byte[] content) {
     List<StoredMessage> found = new ArrayList<>();
     ByteBuffer rest = ByteBuffer.wrap(content);
@@ -122,7 +122,7 @@ final class MessageStore implements AutoCloseable {
     return found;
   }
 
-  /** Returns the next message; null, without a change of the position, if it is damaged. */
+  /** Returns the next message. If it is damaged, returns null and leaves the position unchanged. */
   private static @Nullable StoredMessage message(ByteBuffer rest) {
     int start = rest.position();
     if (rest.remaining() < HEADER) {
@@ -211,7 +211,7 @@ final class MessageStore implements AutoCloseable {
     messages++;
   }
 
-  /** Removes half a message from the end of a file, or at least writes no other after it. */
+  /** Removes an incomplete message from the end of a file; if that fails, ends the file. */
   private void undo(FileChannel channel, Segment segment) {
     try {
       channel.truncate(segment.bytes);
@@ -220,7 +220,7 @@ final class MessageStore implements AutoCloseable {
     }
   }
 
-  /** Ends the last file, so that the next message begins another. */
+  /** Closes the last file, so that the next message starts another. */
   private void endFile() {
     FileChannel channel = tail;
     tail = null;
@@ -276,7 +276,7 @@ final class MessageStore implements AutoCloseable {
     return messages;
   }
 
-  /** Returns the next message to forward; null if there is none before others are confirmed. */
+  /** Returns the next message to forward; null if there is none until others are confirmed. */
   @Nullable StoredMessage next() {
     while (first == null && !isEmpty()) {
       load();
@@ -311,7 +311,7 @@ final class MessageStore implements AutoCloseable {
     }
   }
 
-  /** Notes that the broker has a message. One of a file that was dropped meanwhile is ignored. */
+  /** Confirms that the broker has a message. Does nothing if its file was dropped meanwhile. */
   void confirm(StoredMessage message) {
     if (first == null || !first.get(confirmed).equals(message)) {
       return;
@@ -334,7 +334,7 @@ final class MessageStore implements AutoCloseable {
     figures.storedBytes.set((double) bytes);
   }
 
-  /** Ends writing, and removes the confirmed messages of the first file. */
+  /** Stops writing, and removes the confirmed messages of the first file. */
   @Override
   public void close() {
     endFile();

@@ -16,7 +16,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/** A connection by MQTT 3.1.1. */
+/** A connection with MQTT 3.1.1. */
 final class Mqtt3Link implements Link {
   private final Mqtt3AsyncClient client;
   private final Mqtt3Connect connect;

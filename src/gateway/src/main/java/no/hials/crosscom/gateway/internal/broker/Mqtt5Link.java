@@ -18,9 +18,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/** A connection by MQTT 5. */
+/** A connection with MQTT 5. */
 final class Mqtt5Link implements Link {
-  /** The user property in which a client can tell who it is. */
+  /** The user property in which a client can name itself. */
   private static final String SENDER = "client-id";
 
   private final Mqtt5AsyncClient client;

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * A message to a broker.
  *
  * @param qos the quality of service, 0 to 2
- * @param retained whether the broker keeps it for those that subscribe later
+ * @param retained whether the broker keeps it for later subscribers
  * @param correlation the data that an answer repeats, with MQTT 5 only; null for none
  */
 public record Publication(

@@ -6,9 +6,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A message from a broker.
  *
- * @param retained whether the broker has kept it, so that nobody knows how old it is
- * @param sender the name that the client gives itself; empty if it has none
- * @param responseTopic where it wants the answer, with MQTT 5 only
+ * @param retained whether the broker marked it as retained, so that its age is unknown
+ * @param sender the name that the client claims; empty if there is none
+ * @param responseTopic the topic for the answer, with MQTT 5 only
  * @param correlation the data that the answer repeats, with MQTT 5 only
  */
 public record Received(

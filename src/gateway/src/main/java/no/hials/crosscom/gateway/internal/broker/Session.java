@@ -27,16 +27,16 @@ import org.slf4j.LoggerFactory;
 
 /**
  * A lasting connection to a broker, with a thread of its own. Messages that the broker has not
- * confirmed when the connection is lost, and those that come until it is back, go to a store on
+ * confirmed when the connection is lost, and those that arrive until it is back, go to a store on
  * disk. The number of messages in memory is bounded.
  */
 public final class Session implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Session.class);
 
-  /** Updates that wait for the thread, a second of a large plant. */
+  /** The maximum number of updates that wait for the thread: a second of a large plant. */
   private static final int INBOX = 20_000;
 
-  /** Messages that wait for the confirmation of the broker. */
+  /** The maximum number of messages that the broker has not confirmed. */
   private static final int MAX_IN_FLIGHT = 1000;
 
   private static final int TASKS_AT_ONCE = 200;
@@ -55,7 +55,7 @@ public final class Session implements AutoCloseable {
   private final Thread thread;
   private volatile boolean closing;
 
-  // used by the thread only
+  // used only by the thread
   private final Deque<Outgoing> inFlight = new ArrayDeque<>();
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
@@ -84,7 +84,7 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Creates a session, which {@link #start} begins.
+   * Creates a session; {@link #start} connects it.
    *
    * @param name its name in logs and figures
    * @param folder the folder of its store
@@ -98,7 +98,7 @@ public final class Session implements AutoCloseable {
     thread.setDaemon(true);
   }
 
-  /** Starts to connect. */
+  /** Starts the thread, which connects. */
   public void start(Traffic what) {
     traffic = what;
     thread.start();
@@ -115,16 +115,16 @@ public final class Session implements AutoCloseable {
     LockSupport.unpark(thread);
   }
 
-  /** Returns whether the broker is connected; for the thread of the session. */
+  /** Returns whether the broker is connected; call it only on the thread of the session. */
   public boolean isConnected() {
     return connected;
   }
 
   /**
-   * Publishes a message; for the thread of the session.
+   * Publishes a message; call it only on the thread of the session.
    *
    * @param spare returns what to store if the broker does not get the message; null to forget it
-   * @return whether it is on its way, and not only stored
+   * @return whether it was sent, and not only stored
    */
   public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
     if (hasRoom() || (connected && spare == null)) {
@@ -137,17 +137,19 @@ public final class Session implements AutoCloseable {
     return false;
   }
 
-  /** Returns whether a message can be sent now; for the thread of the session. */
+  /** Returns whether a message can be sent now; call it only on the thread of the session. */
   public boolean hasRoom() {
     return connected && inFlight.size() < MAX_IN_FLIGHT;
   }
 
-  /** Stores a message, to be forwarded later; for the thread of the session. */
+  /** Stores a message, to be forwarded later; call it only on the thread of the session. */
   public void store(StoredMessage message) {
     store().add(message);
   }
 
-  /** Returns whether stored messages are forwarded now; for the thread of the session. */
+  /**
+   * Returns whether stored messages are forwarded now; call it only on the thread of the session.
+   */
   public boolean isForwarding() {
     return forwarding;
   }
@@ -218,7 +220,7 @@ public final class Session implements AutoCloseable {
         : failure;
   }
 
-  /** Forgets the oldest messages that are done. */
+  /** Removes the oldest finished messages, and confirms them to the store. */
   private void confirm() {
     for (Outgoing first = inFlight.peek(); first != null && first.done; first = inFlight.peek()) {
       inFlight.remove();
@@ -262,7 +264,7 @@ public final class Session implements AutoCloseable {
     end();
   }
 
-  /** Does a part of the work, and returns whether there may be more. */
+  /** Does some of the work, and returns whether there may be more. */
   private boolean step() {
     boolean busy = false;
     for (Runnable event = events.poll(); event != null; event = events.poll()) {
@@ -293,7 +295,7 @@ public final class Session implements AutoCloseable {
     return !connected || inFlight.size() < MAX_IN_FLIGHT || closing || inbox.isHalfFull();
   }
 
-  /** Sends stored messages, which have half of the room so that new ones do not wait. */
+  /** Sends stored messages. They get half of the places, so that new messages do not wait. */
   private boolean forward() {
     boolean busy = false;
     while (connected && !closing && forwarding && inFlight.size() < MAX_IN_FLIGHT / 2) {
@@ -458,7 +460,7 @@ public final class Session implements AutoCloseable {
     LockSupport.unpark(thread);
   }
 
-  /** Publishes or stores what is submitted, and ends the connection. */
+  /** Publishes or stores the submitted messages, and disconnects. */
   @Override
   public void close() {
     beginClose();

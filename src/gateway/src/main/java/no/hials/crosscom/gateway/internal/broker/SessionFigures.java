@@ -8,7 +8,10 @@ import no.hials.crosscom.gateway.Health;
 
 /** The figures of one connection to a broker. */
 final class SessionFigures {
-  /** Why messages are lost. All are published from the start, so that the first is an increase. */
+  /**
+   * The reasons why messages are lost. Each has a counter from the start, so that the first loss
+   * shows as an increase.
+   */
   private static final List<String> REASONS =
       List.of("damaged", "disk", "error", "full", "queue", "refused", "unknown");
 
@@ -51,7 +54,7 @@ final class SessionFigures {
         health.gauge("mqtt_store_bytes", "Size of the store on disk", label).labelValues(name);
   }
 
-  /** Counts messages that are lost. */
+  /** Counts lost messages. */
   void dropped(String reason, long messages) {
     if (messages > 0) {
       dropped.labelValues(name, reason).inc(messages);

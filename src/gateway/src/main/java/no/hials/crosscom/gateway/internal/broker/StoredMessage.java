@@ -5,7 +5,7 @@ import java.nio.ByteBuffer;
 /**
  * A message that is kept until a broker has it.
  *
- * @param topic its topic, or whatever names its place
+ * @param topic its topic, or another name of its destination
  */
 public record StoredMessage(String topic, ByteBuffer payload) {
   /** Creates a message. */

@@ -24,12 +24,12 @@ public interface Traffic {
   /** Called four times a second, whether connected or not. */
   void tick();
 
-  /** Called with each stored message, in their order, while the broker is connected. */
+  /** Called with each stored message, in order, while the broker is connected. */
   void forward(StoredMessage message);
 
   /** Called when the broker has all stored messages. */
   void forwarded();
 
-  /** Called before the connection is ended in order. */
+  /** Called before the session disconnects. */
   void closing();
 }

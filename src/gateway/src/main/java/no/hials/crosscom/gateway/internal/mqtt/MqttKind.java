@@ -18,7 +18,7 @@ import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import org.jspecify.annotations.Nullable;
 
-/** The table {@code mqtt}: an MQTT broker that has the values of the robots. */
+/** The table {@code mqtt}: an MQTT broker that gets the values of the robots. */
 public final class MqttKind implements OutputKind<MqttSettings> {
   private static final String URL = "url";
   private static final String VERSION = "version";
@@ -174,7 +174,7 @@ public final class MqttKind implements OutputKind<MqttSettings> {
     return file;
   }
 
-  /** Returns a text that can be a part of a topic; null if it is absent. */
+  /** Returns a text that can be part of a topic; null if it is absent. */
   private static @Nullable String topic(TomlTable table, String key, boolean levels)
       throws FileException {
     String text = table.text(key);

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Publishes each variable on a topic of its own. Current values are retained; stored ones are not,
- * so that a retained value is never older than one before it. Used by the thread of the session.
+ * so that an older value never replaces a retained one. Used by the thread of the session.
  */
 final class PlainTraffic implements Traffic {
   private static final byte[] NOTHING = {};
@@ -40,7 +40,7 @@ final class PlainTraffic implements Traffic {
   /** The last message of each topic, by robot and topic. */
   private final Map<String, Map<String, byte[]>> current = new HashMap<>();
 
-  /** The robots, and whether their topics tell that they are connected. */
+  /** The robots, and whether their status topics show that they are connected. */
   private final Map<RobotFeed, Boolean> robots = new LinkedHashMap<>();
 
   /** Topics on which an older value was published after the last one. */
@@ -110,7 +110,7 @@ final class PlainTraffic implements Traffic {
             }));
   }
 
-  /** Takes a robot. */
+  /** Adds a robot. */
   void added(RobotFeed robot) {
     robots.put(robot, robot.isConnected());
     publishStatus(robot, robot.isConnected());
@@ -134,7 +134,7 @@ final class PlainTraffic implements Traffic {
     }
   }
 
-  /** Forgets a robot. The broker forgets the values that are no longer configured. */
+  /** Removes a robot, and those of its retained values that are no longer configured. */
   void removed(RobotFeed robot) {
     robots.remove(robot);
     publishStatus(robot, false);

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The commands on plain topics and the messages of their results. Thread-safe. */
 final class TopicCommands {
-  /** The commands whose identity is remembered, so that none is executed twice. */
+  /** The number of commands whose identity is remembered, so that none is executed twice. */
   private static final int REMEMBERED = 1000;
 
   private static final int LONGEST_PAYLOAD = 10_000;
@@ -54,7 +54,7 @@ final class TopicCommands {
     this.results = results;
   }
 
-  /** Takes a message. Does not block. */
+  /** Handles a message. Does not block. */
   void receive(Received message) {
     List<String> target = topics.target(message.topic());
     if (target == null) {
@@ -97,7 +97,7 @@ final class TopicCommands {
 
   /** Returns the value of a command as KRL writes it. */
   private static String value(String text) {
-    // a structure of KRL has a name after its brace, and not a quote
+    // in KRL, a structure has a name after the brace, not a quote
     if (!text.strip().matches("(?s)\\{\\s*\".*")) {
       return text;
     }
@@ -133,7 +133,7 @@ final class TopicCommands {
             });
     results.accept(new Publication(Topics.result(command.topic()), payload, qos, false));
     String response = command.responseTopic();
-    // a topic of our own could be a command again, or the death of a Sparkplug node
+    // an answer on one of these topics could be a command, or the death of a Sparkplug node
     if (response != null
         && !response.startsWith(topics.prefix() + "/")
         && !response.startsWith(SparkplugId.NAMESPACE + "/")) {

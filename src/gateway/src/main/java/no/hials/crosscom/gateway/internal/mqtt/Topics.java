@@ -7,8 +7,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The plain topics. The names of variables are in capital letters, so that no name of a variable is
- * one of the gateway's own.
+ * The plain topics. The names of variables are in capital letters, so that no variable has the name
+ * of one of the gateway's own topics.
  *
  * @param prefix the first part
  */
@@ -20,12 +20,12 @@ record Topics(String prefix) {
     return name.replace("%", "%25").replace("/", "%2F").replace("+", "%2B").replace("#", "%23");
   }
 
-  /** Returns the topic of the gateway, whether it is connected. */
+  /** Returns the topic that tells whether the gateway is connected. */
   String gateway() {
     return prefix + "/gateway/status";
   }
 
-  /** Returns the topic of a robot, whether it is connected. */
+  /** Returns the topic that tells whether a robot is connected. */
   String robot(String robot) {
     return prefix + "/" + level(robot) + "/$status";
   }
@@ -52,7 +52,7 @@ record Topics(String prefix) {
     }
     String[] levels = topic.substring(prefix.length() + 1).split("/", -1);
     try {
-      // a plus means itself here, since level() never leaves one
+      // the decoder would turn a plus into a space, but level() escapes every plus
       return levels.length == 3 && levels[2].equals(SET)
           ? List.of(URLDecoder.decode(levels[0], UTF_8), URLDecoder.decode(levels[1], UTF_8))
           : null;

@@ -26,7 +26,7 @@ final class ValueJson {
 
   private final Units catalogue = new Units();
 
-  /** The units of what a plan has, which are looked up once. */
+  /** The units of the variables and fields, each looked up once. */
   private final Map<String, String> units = new HashMap<>();
 
   /** Returns a time as {@code 2026-05-04T10:15:30.123Z}. */

@@ -26,7 +26,7 @@ final class CompanionTypes {
   static final String ROBOTICS_URI = "http://opcfoundation.org/UA/Robotics/";
   static final String DI_URI = "http://opcfoundation.org/UA/DI/";
 
-  /** Assumed, as all ids of DI: docs/reference/opcua.md#assumed. */
+  /** Assumed, like all ids of DI: docs/reference/opcua.md#assumed. */
   private static final int TOPOLOGY_ELEMENT_TYPE = 1001;
 
   private static final int COMPONENT_TYPE = 15063;
@@ -148,7 +148,8 @@ final class CompanionTypes {
   }
 
   /**
-   * Adds a reference type. That all are hierarchical is assumed: docs/reference/opcua.md#assumed.
+   * Adds a reference type, which is assumed not to be hierarchical:
+   * docs/reference/opcua.md#assumed.
    */
   private void referenceType(int id, String name, String inverse) {
     UaReferenceTypeNode node =

@@ -96,7 +96,10 @@ final class OpcUaOutput implements Output {
     LOG.info("OPC UA: opc.tcp://{}:{}", settings.host(), port);
   }
 
-  /** Returns the port of the settings, or any for 0. The server does not tell why it has none. */
+  /**
+   * Returns the configured port, or a free one for 0. Checks it here, because the server does not
+   * report why it cannot listen.
+   */
   private int freePort() throws IOException {
     try (ServerSocket socket =
         new ServerSocket(settings.port(), 1, InetAddress.getByName(settings.host()))) {
@@ -159,7 +162,7 @@ final class OpcUaOutput implements Output {
     if (settings.allowNone()) {
       endpoints.add(endpoint().build());
     } else {
-      // where clients ask for the others; it has no sessions
+      // clients ask here for the other end points; it allows no sessions
       endpoints.add(endpoint().setPath("/discovery").build());
     }
     return endpoints;
@@ -193,7 +196,7 @@ final class OpcUaOutput implements Output {
     return tokens;
   }
 
-  /** Returns a way to log in that is encrypted even where the connection is not. */
+  /** Returns a way to log in that is encrypted even if the connection is not. */
   private static UserTokenPolicy token(String id, UserTokenType type) {
     return new UserTokenPolicy(id, type, null, null, SecurityPolicy.Basic256Sha256.getUri());
   }
@@ -222,7 +225,7 @@ final class OpcUaOutput implements Output {
     return namespace.getNodeManager().getNodeIds().size();
   }
 
-  /** Returns the number of references from and to them. */
+  /** Returns the number of references from and to the nodes of robots. */
   int references() {
     return namespace.getNodeManager().getReferenceMap().values().stream()
         .mapToInt(Collection::size)

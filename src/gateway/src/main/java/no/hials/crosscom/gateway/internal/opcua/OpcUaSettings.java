@@ -9,7 +9,7 @@ import java.util.List;
  * @param port the port; 0 for a free one
  * @param loopback whether only this computer reaches the address
  * @param users the users who log in
- * @param anonymous whether others may read
+ * @param anonymous whether clients without a user may read
  * @param allowNone whether connections without encryption are allowed
  */
 record OpcUaSettings(

@@ -38,7 +38,7 @@ import org.slf4j.LoggerFactory;
  * The certificates of the server: its own, those of clients it trusts, and those it has rejected.
  *
  * @param manager the certificates as the server uses them
- * @param certificate its own
+ * @param certificate the server's own
  * @param applicationUri the name of the server in its certificate
  * @param trusted reads the folder of trusted certificates
  */
@@ -121,7 +121,7 @@ record Pki(
         .formatHex(MessageDigest.getInstance("SHA-256").digest(certificate.getEncoded()));
   }
 
-  /** Keeps the certificates of clients that are not trusted, and tells how to trust them. */
+  /** Keeps the certificates of clients that are not trusted, and logs how to trust them. */
   private static final class Rejected extends FileBasedCertificateQuarantine {
     private final Path folder;
     private final Path trusted;
@@ -144,7 +144,7 @@ record Pki(
     }
   }
 
-  /** Creates the certificate of the first start. */
+  /** Creates the certificate at the first start. */
   private static final class OwnCertificate extends RsaSha256CertificateFactory {
     private final String host;
 

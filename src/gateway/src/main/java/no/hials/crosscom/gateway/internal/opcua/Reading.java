@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The last update of a variable, and the nodes that clients watch of it. */
+/** The last update of a variable, and those of its nodes that clients watch. */
 final class Reading {
   private static final Logger LOG = LoggerFactory.getLogger(Reading.class);
 
@@ -46,7 +46,7 @@ final class Reading {
     return update == null ? null : update.value();
   }
 
-  /** Keeps an update. Only nodes that clients watch take their values from it now. */
+  /** Keeps an update, and passes it on to the nodes that clients watch. */
   synchronized void put(Update update) {
     KrlValue value = update.value();
     if (value != null) {

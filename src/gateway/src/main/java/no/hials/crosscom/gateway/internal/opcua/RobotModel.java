@@ -74,7 +74,7 @@ final class RobotModel {
                 || nodes.reading("$AXIS_ACT_MEAS.A" + number) != null
             ? "$AXIS_ACT_MEAS"
             : "$AXIS_ACT";
-    // a linear axis has mm
+    // a linear axis is in mm
     nodes.describe(
         value(
             parameters(axis),
@@ -175,7 +175,7 @@ final class RobotModel {
     return value instanceof KrlString string ? string.text() : value.print();
   }
 
-  /** Adds the properties that DI has of each device. */
+  /** Adds the properties that DI defines for each device. */
   private void nameplate(UaObjectNode device, @Nullable String model, @Nullable String serial) {
     property(device, types.diName("Manufacturer"), NodeIds.LocalizedText, null);
     property(device, types.diName("Model"), NodeIds.LocalizedText, model);
@@ -230,7 +230,7 @@ final class RobotModel {
         id(owner, name), owner.getNodeId(), types.roboticsName(name), NodeIds.FolderType);
   }
 
-  /** Adds the object of DI that holds the variables of another one. */
+  /** Adds the object of DI that holds the variables of another object. */
   private UaObjectNode parameters(UaObjectNode owner) {
     return nodes.object(
         id(owner, "ParameterSet"),

@@ -101,7 +101,7 @@ final class RobotNodes {
       UnaryOperator<@Nullable KrlValue> part) {
     NodeId id = namespace.id(robot.name() + ":" + name);
     if (namespace.node(id) instanceof ValueNode existing) {
-      // the plan reads the field for itself as well
+      // the plan also reads the field on its own
       CompanionTypes.refer(existing, NodeIds.HasComponent, parent.getNodeId(), false);
       return existing;
     }
@@ -119,7 +119,7 @@ final class RobotNodes {
     return node;
   }
 
-  /** The settings of a variable as they are now. */
+  /** The current settings of a variable. */
   private final class VariableAccess implements ValueNode.Access {
     private final String name;
     private final PlannedVariable planned;

@@ -30,7 +30,7 @@ import org.slf4j.LoggerFactory;
 final class RobotWrites {
   private static final Logger LOG = LoggerFactory.getLogger(RobotWrites.class);
 
-  /** The writes that may wait for a slow robot; further ones are refused. */
+  /** The maximum number of writes that wait for a slow robot; further writes are refused. */
   private static final int MAX_WAITING = 16;
 
   private static final long IDLE_SECONDS = 10;

@@ -23,8 +23,8 @@ import org.eclipse.milo.opcua.stack.core.types.structured.WriteValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The nodes of all robots. It knows what clients watch by the ids of nodes, so that the nodes of a
- * robot that is removed and added again are watched again.
+ * The nodes of all robots. It keeps what clients watch by node id, so that they get values again
+ * when a robot is removed and added again.
  */
 final class RobotsNamespace extends StaticNamespace {
   static final String URI = "urn:jopenshowvar:gateway:robots";

@@ -45,16 +45,16 @@ class StaticNamespace extends ManagedNamespaceWithLifecycle {
 
   @Override
   public void onDataItemsModified(List<DataItem> items) {
-    // the values stay
+    // the values do not change
   }
 
   @Override
   public void onDataItemsDeleted(List<DataItem> items) {
-    // nothing is kept
+    // no item is kept
   }
 
   @Override
   public void onMonitoringModeChanged(List<MonitoredItem> items) {
-    // the item itself keeps its values back
+    // the item itself holds back its values
   }
 }

@@ -86,7 +86,7 @@ final class UaValues {
   /**
    * Returns a value as KRL writes it.
    *
-   * @param now the value that the variable has, for its type
+   * @param now the current value of the variable, which has its type
    * @return the text; null if the variable has another type
    */
   static @Nullable String toKrl(@Nullable Object value, KrlValue now) {

@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
  * @param certificate the file with the certificate of the user; null without one
  */
 record User(String name, Role role, @Nullable Path passwordFile, @Nullable Path certificate) {
-  /** The user of those who do not log in. */
+  /** The user of clients that do not log in. */
   static final User ANONYMOUS = new User("anonymous", Role.VIEWER, null, null);
 
   /** The rights of a user. */

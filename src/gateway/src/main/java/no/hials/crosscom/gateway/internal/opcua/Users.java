@@ -71,7 +71,7 @@ final class Users {
     }
   }
 
-  /** Returns a text of a client for a line of the log. */
+  /** Returns a text from a client without control characters, so that it is one line in the log. */
   static String printable(String text) {
     return text.replaceAll("\\p{Cntrl}", "?");
   }
@@ -82,12 +82,12 @@ final class Users {
     return identity != null && identity.getUserData() instanceof User user ? user : User.ANONYMOUS;
   }
 
-  /** Returns whether users can log in by names. */
+  /** Returns whether users can log in by name. */
   boolean hasPasswords() {
     return settings.users().stream().anyMatch(it -> it.passwordFile() != null);
   }
 
-  /** Returns whether users can log in by certificates. */
+  /** Returns whether users can log in by certificate. */
   boolean hasCertificates() {
     return settings.users().stream().anyMatch(it -> it.certificate() != null);
   }

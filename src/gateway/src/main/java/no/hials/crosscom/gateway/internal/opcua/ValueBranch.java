@@ -13,9 +13,9 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The node of a value and those of its fields or elements. They are created as they appear, since
- * only a value tells which fields it has; a value of the same form as the one before costs a
- * comparison of names.
+ * The node of a value and those of its fields or elements. A node is created when a value first has
+ * its field, since only a value tells which fields there are. A value of the same form as the last
+ * one costs only a comparison of names.
  */
 final class ValueBranch {
   /** Creates nodes. */
@@ -23,10 +23,10 @@ final class ValueBranch {
     /**
      * Creates a node, or returns the existing one.
      *
-     * @param name the name that reads the value alone
+     * @param name the name that reads the value on its own
      * @param label the name of the field or element
      * @param parent the node of the structure or array; null at the top
-     * @param part returns the value of the node within the one that was read
+     * @param part returns the part of the reading that is the value of the node
      */
     ValueNode node(
         String name,

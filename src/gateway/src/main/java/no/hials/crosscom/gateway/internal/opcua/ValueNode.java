@@ -28,7 +28,8 @@ import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UInteger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A variable whose value comes from a reading. The value is made when somebody reads or watches it.
+ * A variable whose value comes from a reading. The value is converted only when a client reads or
+ * watches it.
  */
 final class ValueNode extends UaVariableNode {
   private final @Nullable Reading reading;
@@ -37,7 +38,7 @@ final class ValueNode extends UaVariableNode {
   private final Access access;
   private final Set<DataItem> items = new CopyOnWriteArraySet<>();
 
-  /** The variable of a robot that a node stands for, as far as clients may change it. */
+  /** The variable of a robot that clients may change through a node. */
   interface Access {
     /** A node that nobody may change. */
     Access READ_ONLY =
@@ -64,13 +65,13 @@ final class ValueNode extends UaVariableNode {
     /** Returns the name of the robot. */
     String robot();
 
-    /** Returns the name that reads and writes the value alone. */
+    /** Returns the name that reads and writes the value on its own. */
     String variable();
 
     /** Returns whether operators may write it. */
     boolean isWritable();
 
-    /** Called when the type of the value has become known. */
+    /** Called when the type of the value is known. */
     void describe(ValueNode node);
   }
 
@@ -78,8 +79,8 @@ final class ValueNode extends UaVariableNode {
    * Creates a node.
    *
    * @param reading where the value comes from; null if nothing reads it
-   * @param part returns the value of the node within the one that was read
-   * @param conversion returns the value for clients; null if it has none
+   * @param part returns the part of the reading that is the value of the node
+   * @param conversion converts the value for clients; returns null if it cannot
    */
   ValueNode(
       UaNodeContext context,
@@ -105,7 +106,7 @@ final class ValueNode extends UaVariableNode {
     setDataType(dataType);
   }
 
-  /** Adds to the node what depends on the type of its value. */
+  /** Adds the properties that depend on the type of the value. */
   void describe() {
     access.describe(this);
   }
@@ -126,7 +127,7 @@ final class ValueNode extends UaVariableNode {
     return access;
   }
 
-  /** Returns whether it is a number, as far as its type is known. */
+  /** Returns whether it is a number; false if its type is not known yet. */
   boolean isNumber() {
     return getDataType().equals(NodeIds.Int32) || getDataType().equals(NodeIds.Double);
   }
@@ -203,12 +204,14 @@ final class ValueNode extends UaVariableNode {
         : AccessLevel.toValue(AccessLevel.CurrentRead);
   }
 
-  /** Returns the lock of what clients watch: an older value must not come after a newer one. */
+  /**
+   * Returns the lock under which clients get values, so that no older value follows a newer one.
+   */
   private Object lock() {
     return reading == null ? this : reading;
   }
 
-  /** Passes values on to an item of a subscription, first the current one. */
+  /** Passes the current value and later ones on to an item of a subscription. */
   void watch(DataItem item) {
     synchronized (lock()) {
       items.add(item);

@@ -1,6 +1,6 @@
 /**
- * An OPC UA server with the values of robots. A reading is kept as it came; a node takes its value
- * from it when somebody reads or has subscribed to it.
+ * An OPC UA server with the values of robots. The server keeps each reading as it is, and converts
+ * a value only when a client reads or watches its node.
  */
 @NullMarked
 package no.hials.crosscom.gateway.internal.opcua;

@@ -14,7 +14,9 @@ import no.hials.crosscom.ClientStatistics;
 final class MetricFamilies {
   private static final String PREFIX = "jopenshowvar_";
 
-  /** The ends of buckets in s: powers of two in ns, as the client's are, 0.5 ms to 4.3 s. */
+  /**
+   * The upper bounds of the buckets in s: powers of two in ns as in the client, 0.5 ms to 4.3 s.
+   */
   private static final double[] BOUNDS = bounds(19, 32);
 
   private final Map<String, GaugeSnapshot.Builder> gauges = new LinkedHashMap<>();

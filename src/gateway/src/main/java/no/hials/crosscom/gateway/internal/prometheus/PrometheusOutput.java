@@ -19,7 +19,7 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Shows the last values of robots and the figures of the gateway at {@code /metrics}. A value that
- * is stale or bad has no series, so that nobody takes it for a current value.
+ * is stale or bad has no series, so that nobody mistakes it for a current value.
  */
 final class PrometheusOutput implements Output {
   private static final Logger LOG = LoggerFactory.getLogger(PrometheusOutput.class);

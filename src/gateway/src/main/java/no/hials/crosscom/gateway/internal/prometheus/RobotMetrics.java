@@ -78,7 +78,7 @@ final class RobotMetrics {
         statistics.losses());
     families.counter(
         "robot_reconnects", "Connections after the first one", labels, statistics.reconnects());
-    // a field that is read alone and with its structure is one series, which has its newest value
+    // a field that is read alone and with its structure is one series, with its newest value
     Set<String> shown = new HashSet<>();
     updates.values().stream()
         .sorted(Comparator.comparing(Update::time).reversed())

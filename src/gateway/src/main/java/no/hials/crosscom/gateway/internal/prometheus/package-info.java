@@ -1,6 +1,6 @@
 /**
- * The values of robots and the figures of the gateway for Prometheus. A request of Prometheus gets
- * the last updates, and causes no access to a robot.
+ * The values of robots and the figures of the gateway for Prometheus. A request from Prometheus
+ * gets the last updates, and causes no access to a robot.
  */
 @NullMarked
 package no.hials.crosscom.gateway.internal.prometheus;

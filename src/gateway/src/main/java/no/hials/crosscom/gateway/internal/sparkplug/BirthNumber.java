@@ -7,8 +7,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The number of a connection, {@code bdSeq}, by which the will of a connection is told from that of
- * another one. It is kept in a file. Not thread-safe.
+ * The number of a connection, {@code bdSeq}, which tells its will from the wills of other
+ * connections. It is kept in a file. Not thread-safe.
  */
 final class BirthNumber {
   private static final Logger LOG = LoggerFactory.getLogger(BirthNumber.class);
@@ -35,7 +35,7 @@ final class BirthNumber {
     return current;
   }
 
-  /** Begins the next connection. */
+  /** Increments the number for the next connection. */
   void next() {
     current = (current + 1) % NUMBERS;
     try {

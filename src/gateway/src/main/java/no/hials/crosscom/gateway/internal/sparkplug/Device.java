@@ -26,7 +26,7 @@ final class Device {
   private final LongSupplier aliases;
   private final Map<String, DeviceMetric> metrics = new LinkedHashMap<>();
 
-  /** The variables that were read, or refused, since the robot is connected. */
+  /** The variables that were read or refused since the robot was connected. */
   private final Set<String> known = new HashSet<>();
 
   private boolean born;
@@ -65,7 +65,7 @@ final class Device {
     return changed;
   }
 
-  /** Takes updates, and returns the metrics with a new value or quality. */
+  /** Applies updates, and returns the metrics with a new value or quality. */
   List<DeviceMetric> take(List<Update> updates) {
     List<DeviceMetric> touched = new ArrayList<>();
     for (Update update : updates) {
@@ -116,7 +116,7 @@ final class Device {
         });
   }
 
-  /** Returns a metric that a stored message has, for the next birth if it is not known yet. */
+  /** Returns the metric of a stored message. A new metric becomes part of the next birth. */
   DeviceMetric fromStore(String name, MetricDataType type) {
     return metrics.computeIfAbsent(
         name,
@@ -126,7 +126,7 @@ final class Device {
         });
   }
 
-  /** Returns the metric of an alias, or of a name in any case; null if there is none. */
+  /** Returns the metric of an alias or, ignoring case, of a name; null if there is none. */
   @Nullable DeviceMetric find(@Nullable Long alias, @Nullable String name) {
     for (DeviceMetric metric : metrics.values()) {
       if (alias == null ? metric.name().equalsIgnoreCase(name) : metric.alias() == alias) {
@@ -136,19 +136,19 @@ final class Device {
     return null;
   }
 
-  /** Returns the metrics of a birth, which is published now. */
+  /** Returns the metrics of a birth that is published now. */
   List<Metric> birth() {
     born = true;
     changed = false;
     return metrics.values().stream().map(DeviceMetric::birth).toList();
   }
 
-  /** Notes that it has no valid birth now. */
+  /** Called when its birth is no longer valid. */
   void unborn() {
     born = false;
   }
 
-  /** Notes that the robot is lost: its variables must be read again before the next birth. */
+  /** Called when the robot is lost: its variables must be read again before the next birth. */
   void lost() {
     known.clear();
   }

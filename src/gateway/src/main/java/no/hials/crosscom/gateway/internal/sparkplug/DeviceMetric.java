@@ -23,7 +23,7 @@ final class DeviceMetric {
 
   private final String name;
 
-  /** The variable that it is read with, in upper case; empty if it is known from the store only. */
+  /** The variable that it is read with, in upper case; empty if it is known only from the store. */
   private final String variable;
 
   private final long alias;
@@ -77,7 +77,7 @@ final class DeviceMetric {
   boolean take(Leaf leaf, Instant readAt) {
     KrlValue now = leaf.value();
     MetricDataType next = type(now);
-    // a controller can print a REAL without a point
+    // a controller can print a REAL without a decimal point
     if (now instanceof KrlInt && type.equals(MetricDataType.Float)) {
       next = type;
     }
@@ -97,7 +97,7 @@ final class DeviceMetric {
     return other;
   }
 
-  /** Notes that there is no current value. */
+  /** Marks the value as stale or bad. */
   void without(Quality why, Instant failedAt) {
     time = failedAt;
     if (why == Quality.BAD) {
@@ -127,7 +127,7 @@ final class DeviceMetric {
     return Payloads.metric(tellsQuality ? builder.properties(properties(false)) : builder);
   }
 
-  /** Returns the metric to store, whose alias is not known when it is sent. */
+  /** Returns the metric to store. It has no alias: the alias can change before it is sent. */
   Metric stored() {
     return Payloads.metric(
         new Metric.MetricBuilder(name, type, value)
@@ -137,7 +137,7 @@ final class DeviceMetric {
   }
 
   private PropertySet properties(boolean withUnit) {
-    // the numbers of Sparkplug
+    // the quality codes of Sparkplug
     int number =
         switch (quality) {
           case GOOD -> 192;

@@ -115,12 +115,12 @@ public final class SparkplugTraffic implements Traffic {
     device.unborn();
   }
 
-  /** Takes a robot. */
+  /** Adds a robot. */
   public void added(RobotFeed robot) {
     devices.put(robot.name(), new Device(robot, () -> ++lastAlias));
   }
 
-  /** Forgets a robot. */
+  /** Removes a robot. */
   public void removed(RobotFeed robot) {
     Device device = devices.remove(robot.name());
     if (device != null) {
@@ -152,7 +152,7 @@ public final class SparkplugTraffic implements Traffic {
 
   private void data(Device device, List<DeviceMetric> touched) {
     if (session.hasRoom()) {
-      // what is sent now is what would be stored, but the metrics change meanwhile
+      // copied now, because the metrics may change before the message is stored
       List<Metric> spare = touched.stream().map(DeviceMetric::stored).toList();
       boolean unused =
           session.publish(

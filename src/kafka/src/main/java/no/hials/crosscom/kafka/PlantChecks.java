@@ -9,7 +9,7 @@ import org.apache.kafka.common.config.ConfigValue;
 final class PlantChecks {
   private PlantChecks() {}
 
-  /** Adds what is wrong with the file to the errors of its property. */
+  /** Adds the errors in the plant file to its property. */
   static Config check(Config config) {
     for (ConfigValue value : config.configValues()) {
       if (value.name().equals(ConnectorSettings.PLANT)

@@ -59,7 +59,7 @@ public final class RobotSinkConnector extends SinkConnector {
     return config;
   }
 
-  /** Adds what is wrong with the settings of the client of the brokers, which is not connected. */
+  /** Adds the errors in the settings of the broker client, without connecting it. */
   private static void checkAdmin(Config config, Map<String, String> properties) {
     try {
       ConnectorSettings.of(ConnectorSettings.SINK, properties).admin().close(Duration.ZERO);

@@ -30,9 +30,9 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Writes records in four steps: it holds them, lets Connect commit their offset with a claim, reads
- * the claim back from the brokers, and then writes each record once, while its lease from that
- * answer lasts. Nothing is written that was not claimed, and nothing that was claimed is written by
- * another task.
+ * the claim back from the brokers, and then writes each record once, while the lease that the
+ * answer started lasts. A record is written only after it is claimed, and only by the task that
+ * claimed it.
  */
 public final class RobotSinkTask extends SinkTask {
   private static final Logger LOG = LoggerFactory.getLogger(RobotSinkTask.class);
@@ -40,7 +40,7 @@ public final class RobotSinkTask extends SinkTask {
   /** The time until the task is called again while it waits for a commit. */
   private static final long WAIT_MILLIS = 5;
 
-  /** After this time without a verified claim, it is committed again. */
+  /** The time after which a claim that is not verified is committed again. */
   private static final long REPEAT_NANOS = 5_000_000_000L;
 
   private static final Duration PATIENCE = Duration.ofSeconds(2);
@@ -185,7 +185,7 @@ public final class RobotSinkTask extends SinkTask {
     }
     if (!claims().hasClaimed()) {
       own.forgetSilent();
-      // so that the claim is not taken for one of a task that ended
+      // otherwise the claim would look like that of a task that has ended
       requestCommit();
     }
   }

@@ -30,14 +30,15 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Reads some robots. A record that the broker has acknowledged renews the lease, from the time when
- * the task gave it to Connect; small records, several in each lease, make sure that there is one.
- * Without the lease no robot is used, by the condition of each access of the client.
+ * Reads the robots of one task. A record that the broker acknowledges renews the lease, counted
+ * from the time when the task passed the record to Connect. Several small records per lease make
+ * sure that there is always a record to acknowledge. The client checks the lease before each
+ * access, so that no robot is used without it.
  */
 public final class RobotSourceTask extends SourceTask {
   private static final Logger LOG = LoggerFactory.getLogger(RobotSourceTask.class);
 
-  /** The records that renew the lease in one length of it. */
+  /** The number of records per lease that renew it. */
   private static final int BEATS = 4;
 
   private static final int MAX_BATCH = 2000;
@@ -68,7 +69,7 @@ public final class RobotSourceTask extends SourceTask {
   /** Creates a task that Connect starts. */
   public RobotSourceTask() {}
 
-  /** A record that knows when it was given to Connect. */
+  /** A record with the time when the task passed it to Connect. */
   private static final class Given extends SourceRecord {
     private final Moment moment;
 
@@ -150,7 +151,7 @@ public final class RobotSourceTask extends SourceTask {
     if (own == null || waiting == null) {
       throw new IllegalStateException("not started");
     }
-    // before the lease is looked at: a process that is frozen in between gets no newer moment
+    // before the lease is checked: a process that is frozen in between gets no later time
     Moment moment = Moment.now();
     followLease(own, moment);
     lastPoll = moment;
@@ -260,7 +261,7 @@ public final class RobotSourceTask extends SourceTask {
 
   @Override
   public void commitRecord(SourceRecord record, @Nullable RecordMetadata metadata) {
-    // without metadata, a transformation has left it out: no proof
+    // without metadata, a transformation dropped the record: it never reached the broker
     if (metadata != null && record instanceof Given given && lease != null) {
       lease.renew(given.moment);
     }

@@ -1,7 +1,7 @@
 /**
- * Connectors of Kafka Connect: values of robots into topics, and allowed writes from topics. The
- * robots are spread over tasks; a task uses its robots only while it holds a lease that the broker
- * has confirmed.
+ * Connectors of Kafka Connect: one reads robots into topics, the other writes the variables that
+ * records name. The robots are spread over tasks. A task uses its robots only while it holds a
+ * lease that the broker has confirmed.
  */
 @NullMarked
 package no.hials.crosscom.kafka;

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A task that is called as Connect does, and whose records are acknowledged or not. */
+/** A task that is called as Connect calls it, with and without acknowledged records. */
 @Timeout(60)
 class RobotSourceTaskTest {
   @KukaController private MockServer robot;
@@ -97,7 +97,7 @@ class RobotSourceTaskTest {
     task.stop();
   }
 
-  /** Calls the task until it has given a sample or a gap that is wanted. */
+  /** Calls the task until it returns a wanted sample or gap. */
   private Struct await(Predicate<Struct> wanted) throws InterruptedException {
     while (true) {
       List<SourceRecord> records = task.poll();
@@ -116,7 +116,7 @@ class RobotSourceTaskTest {
 
   /** Returns the reason of the next record with a quality that the task itself has caused. */
   private String reason(String quality) throws InterruptedException {
-    // a computer with much to do adds gaps because it is too slow
+    // a busy computer adds gaps because it is too slow
     Predicate<String> ofTask = reason -> reason != null && reason.startsWith("the task");
     return await(
             sample ->

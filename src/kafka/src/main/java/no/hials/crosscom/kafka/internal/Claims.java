@@ -24,12 +24,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The records of a sink task and what was committed of them. Before records are written, their
- * offset is committed together with a claim, in the metadata of the offset: the owner, and the
- * offsets where the claim begins and ends. Only the member of the group that has the partition can
- * commit, and only the owner who reads its own claim back may write. A claim that is still there
- * when a partition is assigned is of a task that ended in between: whether its records were written
- * is unknown. Not thread-safe.
+ * The records of a sink task and their claims. Before records are written, their offset is
+ * committed together with a claim, in the metadata of the offset: the owner, and the offsets where
+ * the claim begins and ends. Only the member of the group that has the partition can commit, and
+ * only an owner that reads its own claim back may write. A claim found when a partition is assigned
+ * belongs to a task that ended before it finished: whether its records were written is unknown. Not
+ * thread-safe.
  */
 public final class Claims implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Claims.class);
@@ -42,7 +42,7 @@ public final class Claims implements AutoCloseable {
   private final String owner = UUID.randomUUID().toString();
   private final Map<TopicPartition, Partition> partitions = new LinkedHashMap<>();
 
-  /** Why the offsets could not be read the last time; told once. */
+  /** Why the offsets could not be read the last time, so that it is logged once. */
   private String complaint = "";
 
   /** A partition that the task has. */
@@ -52,10 +52,10 @@ public final class Claims implements AutoCloseable {
     /** The end of the claim; records below it may be written once the claim is verified. */
     private long claimed;
 
-    /** The end of the records of which it is unknown whether they were written. */
+    /** The end of the records whose outcome is unknown. */
     private long unknown;
 
-    /** The first record that is not settled; the end if there is none. */
+    /** Returns the first record that is not settled; the end if there is none. */
     long first(long end) {
       return held.isEmpty() ? end : held.getFirst().originalKafkaOffset();
     }
@@ -122,7 +122,7 @@ public final class Claims implements AutoCloseable {
     return left;
   }
 
-  /** Returns whether it is unknown if a record was written by another task. */
+  /** Returns whether another task may have written a record. */
   public boolean isUnknown(SinkRecord record) {
     Partition partition = partitions.get(of(record));
     return partition != null && record.originalKafkaOffset() < partition.unknown;
@@ -137,17 +137,17 @@ public final class Claims implements AutoCloseable {
     partition.held.add(record);
   }
 
-  /** Returns whether records wait for a claim or for being written. */
+  /** Returns whether no records wait for a claim or a write. */
   public boolean isEmpty() {
     return partitions.values().stream().allMatch(one -> one.held.isEmpty());
   }
 
-  /** Returns whether records are claimed and not written yet. */
+  /** Returns whether there are records that are claimed but not written yet. */
   public boolean hasClaimed() {
     return partitions.values().stream().anyMatch(Partition::hasClaimed);
   }
 
-  /** Claims all records that are held. The claim holds once it is committed and verified. */
+  /** Claims all held records. The claim is valid once it is committed and verified. */
   public void claim() {
     for (Partition partition : partitions.values()) {
       if (!partition.held.isEmpty()) {
@@ -172,14 +172,14 @@ public final class Claims implements AutoCloseable {
 
   private OffsetAndMetadata offset(Partition partition, long position) {
     long from = partition.first(position);
-    // what is unknown stays claimed until it is reported: Connect commits all partitions together
+    // unknown outcomes stay claimed until reported: Connect commits all partitions together
     long to = partition.hasClaimed() ? partition.claimed : Math.max(from, partition.unknown);
     return new OffsetAndMetadata(
         Math.min(to, position), "jopenshowvar " + owner + " from " + from + " to " + to);
   }
 
   /**
-   * Asks the brokers whether the claims are committed, as those of this task.
+   * Asks the brokers whether the claims of this task are committed.
    *
    * @param lease renewed if they are
    */
@@ -222,7 +222,7 @@ public final class Claims implements AutoCloseable {
         .toList();
   }
 
-  /** Notes that a record was written, or is reported. */
+  /** Marks a record as written or reported. */
   public void settle(SinkRecord record) {
     Partition partition = partitions.get(of(record));
     if (partition != null) {

@@ -34,9 +34,9 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Writes what records ask for, each once: the records of a robot in their order, and the robots at
- * the same time, so that a silent robot delays no other. Connects to a robot for the records at
- * hand.
+ * Writes each record once: the records of one robot in their order, and different robots at the
+ * same time, so that a silent robot does not delay the others. Connects to a robot only while there
+ * are records for it.
  */
 public final class CommandWriter implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(CommandWriter.class);
@@ -57,8 +57,8 @@ public final class CommandWriter implements AutoCloseable {
   /**
    * Creates a writer.
    *
-   * @param lease nothing is written without it
-   * @param maxAge a record whose timestamp is further away than this is not written
+   * @param lease the lease, without which no record is written
+   * @param maxAge the maximum difference between the timestamp of a record and the current time
    */
   public CommandWriter(Plant plant, Writes writes, Lease lease, Duration maxAge) {
     this.plant = plant;
@@ -70,8 +70,8 @@ public final class CommandWriter implements AutoCloseable {
   /**
    * Writes records while the lease is held.
    *
-   * @return for each record that is done: empty if it was written, or why it was not. A record that
-   *     is not in it was not sent
+   * @return the result of each finished record: empty if it was written, otherwise the reason why
+   *     not. A record without a result was not sent
    * @throws ConnectException if the outcome of the records is unknown
    */
   public Map<SinkRecord, Optional<Exception>> write(Collection<SinkRecord> records) {
@@ -104,7 +104,7 @@ public final class CommandWriter implements AutoCloseable {
     return outcomes;
   }
 
-  /** Forgets which robots have not answered: the next records are tried again. */
+  /** Forgets which robots did not answer, so that their next records are tried. */
   public void forgetSilent() {
     silent.clear();
   }
@@ -135,7 +135,7 @@ public final class CommandWriter implements AutoCloseable {
               who(record), plant, robot, one.getValue().variable(), one.getValue().value());
           outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
-          // a lease that ended while the robot did not answer does not count
+          // the lease ended meanwhile: the robot may not be silent at all
           if (withoutLease.get()) {
             break; // nothing was sent
           }

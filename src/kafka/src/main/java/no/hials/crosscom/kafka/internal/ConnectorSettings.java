@@ -54,7 +54,7 @@ public final class ConnectorSettings extends AbstractConfig {
   /** The prefix of further settings of the client that verifies the claims. */
   private static final String ADMIN_PREFIX = "admin.";
 
-  // from a connector to its tasks
+  // passed from a connector to its tasks
   private static final String TASK_PLANT = "task.plant";
   private static final String TASK_ROBOTS = "task.robots";
   private static final String TASK_NUMBER = "task.number";
@@ -167,13 +167,13 @@ public final class ConnectorSettings extends AbstractConfig {
    * Reads properties.
    *
    * @param definition {@link #SOURCE} or {@link #SINK}
-   * @throws ConfigException if one is wrong
+   * @throws ConfigException if a property is invalid
    */
   public static ConnectorSettings of(ConfigDef definition, Map<String, String> properties) {
     return new ConnectorSettings(definition, properties);
   }
 
-  /** Returns the text of the file of the plant, once it was found to be right. */
+  /** Checks the plant file and returns its text. */
   public static String plantText(String file) throws FileException {
     String text = TomlTable.textOf(Path.of(file));
     Plant unused = PlantText.read(file, text);
@@ -193,7 +193,7 @@ public final class ConnectorSettings extends AbstractConfig {
     return Admin.create(properties);
   }
 
-  /** Returns the time of a property in ms. */
+  /** Returns the duration that a property sets in ms. */
   public Duration time(String key) {
     return Duration.ofMillis(getLong(key));
   }

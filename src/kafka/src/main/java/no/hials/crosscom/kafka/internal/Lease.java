@@ -4,9 +4,9 @@ import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The right to use robots, which expires. It is renewed by answers of the broker and counts from
- * the time when their requests were made, so that neither an answer that was long under way nor a
- * frozen process extends it. Thread-safe.
+ * The right to use robots, which expires. Answers of the broker renew it. It counts from the time
+ * when the requests were made, so that neither a late answer nor a frozen process extends it.
+ * Thread-safe.
  */
 public final class Lease {
   private final long length;
@@ -23,7 +23,7 @@ public final class Lease {
       return new Moment(System.nanoTime(), System.currentTimeMillis());
     }
 
-    /** Returns the time from another moment to this one: the longer one of both clocks. */
+    /** Returns the time since an earlier moment, by the clock that has moved further. */
     public long nanosSince(Moment before) {
       return Math.max(nanos - before.nanos, (millis - before.millis) * 1_000_000);
     }
@@ -37,7 +37,7 @@ public final class Lease {
   /**
    * Renews the lease.
    *
-   * @param requested when the request was made that the broker has answered
+   * @param requested the time of the request that the broker answered
    */
   public synchronized void renew(Moment requested) {
     Moment before = renewed;

@@ -12,7 +12,7 @@ import no.hials.crosscom.cell.feed.PlantFile;
 
 /** Reads the configuration of a plant, which a connector passes to its tasks as text. */
 public final class PlantText {
-  /** The outputs of the gateway, which are ignored: the same file serves both. */
+  /** The tables of the gateway, ignored here so that it can use the same file. */
   private static final List<String> GATEWAY_TABLES = List.of("mqtt", "opcua", "prometheus");
 
   private PlantText() {}

@@ -9,7 +9,7 @@ import org.apache.kafka.connect.errors.ConnectException;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
-/** The file of the plant of a connector, looked at every few seconds. */
+/** Checks the plant file of a connector for changes every few seconds. */
 public final class PlantWatch implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(PlantWatch.class);
   private static final long SECONDS = 5;
@@ -29,8 +29,8 @@ public final class PlantWatch implements AutoCloseable {
   /**
    * Reads the file.
    *
-   * @param changed called when it has changed and is right
-   * @throws ConnectException if the file is wrong now
+   * @param changed called when the file has changed and is valid
+   * @throws ConnectException if the file is invalid now
    */
   public PlantWatch(String file, Runnable changed) {
     this.file = file;
@@ -63,7 +63,7 @@ public final class PlantWatch implements AutoCloseable {
     }
   }
 
-  /** Returns the text of the file when it was last right. */
+  /** Returns the last valid text of the file. */
   public String text() {
     return text;
   }

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One robot of a task: its feed, the samples that wait for Connect, and the gaps between them. The
- * feed calls it in its threads; all other methods are for the thread of the task.
+ * feed calls it on its own threads; all other methods are for the thread of the task.
  */
 public final class RobotSource implements Closeable {
   /** The key of the robot in the partition of a source offset. */
@@ -41,7 +41,7 @@ public final class RobotSource implements Closeable {
   private final long run;
   private @Nullable RobotFeed feed;
 
-  // of the thread of the task
+  // used by the thread of the task only
   private long sequence;
   private long lastMillis;
   private long missedBefore;
@@ -55,7 +55,7 @@ public final class RobotSource implements Closeable {
   private long lost;
 
   /**
-   * Something that waits for Connect: a sample, or a gap.
+   * A sample or a gap that waits for Connect.
    *
    * @param robot the robot
    * @param update the sample; null for a gap
@@ -157,7 +157,7 @@ public final class RobotSource implements Closeable {
     return feed != null && feed.isConnected();
   }
 
-  /** Returns the number of readings that were left out, as the gaps show it. */
+  /** Returns the number of readings that were left out, as counted in the gaps. */
   public long missed() {
     return missed;
   }
@@ -167,7 +167,7 @@ public final class RobotSource implements Closeable {
     return lost;
   }
 
-  /** Returns a sample without the lease: the client only knows that it may not use the robot. */
+  /** Returns a stale sample with the reason, which the client does not know: there is no lease. */
   private static Update unused(Update update) {
     return update.quality() == Quality.STALE
         ? new Update(
@@ -183,7 +183,7 @@ public final class RobotSource implements Closeable {
     }
   }
 
-  /** Returns the later time. One in the future does not count: the clock was set back. */
+  /** Returns the later time. Ignores a time in the future, since the clock was set back. */
   private static Instant later(Instant before, Instant time) {
     return time.isAfter(before) || before.isAfter(Instant.now()) ? time : before;
   }
@@ -196,7 +196,7 @@ public final class RobotSource implements Closeable {
     lost += count;
   }
 
-  /** Puts the record of the open gap into the queue, if there is one; false if it is full. */
+  /** Puts the open gap into the queue, if there is one; returns false if the queue is full. */
   private boolean closeGap(Instant to) {
     OpenGap open = gap;
     if (open == null) {
@@ -212,13 +212,13 @@ public final class RobotSource implements Closeable {
     return queued;
   }
 
-  /** Returns the number of readings that the plan has in a time. */
+  /** Returns the number of readings that the plan has between two times. */
   private long readings(Instant from, Instant to) {
     long millis = Duration.between(from, to).toMillis();
     return plan.reads().keySet().stream().mapToLong(period -> millis / period.toMillis()).sum();
   }
 
-  /** Begins a gap, since the robot was not read and will be read again now. */
+  /** Begins a gap. Called when the robot, which was not read for a while, is read again. */
   public void resumed(String reason) {
     RobotFeed own = feed;
     if (own != null) {
@@ -232,7 +232,7 @@ public final class RobotSource implements Closeable {
     }
   }
 
-  /** Notices what is overdue, was left out or was dropped. */
+  /** Marks overdue variables as stale, and reports readings left out and samples dropped. */
   public void check() {
     RobotFeed own = feed;
     if (own == null) {
@@ -266,7 +266,7 @@ public final class RobotSource implements Closeable {
     }
   }
 
-  /** Returns the value of the record of something that was queued, and counts it. */
+  /** Returns the record value of a queued item, and counts the item. */
   public Struct take(Item item, SampleRecords records) {
     sequence++;
     lastMillis = later(Instant.ofEpochMilli(lastMillis), item.time()).toEpochMilli();

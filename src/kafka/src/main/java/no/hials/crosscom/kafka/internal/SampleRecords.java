@@ -102,10 +102,10 @@ public final class SampleRecords {
    * A time without samples.
    *
    * @param from the time of the last sample before it
-   * @param to when it ended
+   * @param to the time when it ended
    * @param missed the number of readings that were left out
    * @param lost the number of samples that were read and dropped
-   * @param reason why
+   * @param reason the reason why samples are missing
    */
   public record Gap(Instant from, Instant to, long missed, long lost, String reason) {}
 
@@ -124,7 +124,7 @@ public final class SampleRecords {
         .put(SEQUENCE, sequence);
   }
 
-  /** Returns the value of the record of a gap. */
+  /** Returns the record value of a gap. */
   static Struct of(String robot, Gap gap, long run, long sequence) {
     return common(robot, gap.to, GAP, gap.reason, run, sequence)
         .put(
@@ -136,7 +136,7 @@ public final class SampleRecords {
                 .put(LOST, gap.lost));
   }
 
-  /** Returns the value of the record of a sample. */
+  /** Returns the record value of a sample. */
   Struct of(String robot, Update update, long run, long sequence) {
     PlannedVariable variable = update.variable();
     Quality quality = update.quality();
@@ -164,7 +164,7 @@ public final class SampleRecords {
     for (Leaf leaf : Leaf.of(variable.name(), value)) {
       String key = key(variable.name(), leaf.name());
       if (leaf.value() instanceof KrlInt || leaf.value() instanceof KrlReal) {
-        // the digits of the controller, and not those of the nearest double of a float
+        // the digits of the controller: a float widened to a double has other ones
         numbers.put(key, Double.valueOf(leaf.text()));
         String unit = known.get(key);
         if (unit == null) {

@@ -2,7 +2,7 @@ package no.hials.crosscom.kafka.cluster;
 
 import org.jspecify.annotations.Nullable;
 
-/** Closes the parts of a cluster, also those after one that fails. */
+/** Closes all parts of a cluster, even if closing one of them fails. */
 final class Closing {
   private Closing() {}
 

@@ -15,8 +15,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Measures what a worker and a broker cost that carry some robots at 10 Hz, two structures each.
- * {@code src/bench/run.sh kafka} runs it; a build does not.
+ * Measures the CPU time and memory of a worker and a broker for some robots at 10 Hz, two
+ * structures each. {@code src/bench/run.sh kafka} runs it; a build does not.
  */
 @Timeout(300)
 class ClusterLoad {

@@ -53,7 +53,7 @@ class ConnectorsIT {
   private static KafkaProducer<String, String> producer;
   private KafkaConsumer<String, String> dead;
 
-  /** Of the test, its connector and its topic. */
+  /** The name of the test, its connector and its topic. */
   private String name;
 
   @BeforeAll
@@ -187,7 +187,7 @@ class ConnectorsIT {
 
   @Test
   void aWriteWhoseOutcomeIsUnknownStaysUnknownWhileAnotherPartitionIsCommitted() throws Exception {
-    // the claim of a task that ended: it ends behind the last record, so that it stays open
+    // the claim of a task that ended: it ends after the last record, so that it stays open
     String claim = "jopenshowvar another from 0 to 2";
     try (Admin admin = broker.admin()) {
       admin

@@ -31,13 +31,13 @@ class FailoverIT {
   private static final int ROBOTS = 20;
   private static final ObjectMapper JSON = new ObjectMapper();
 
-  /** No assertion on the time that a failover takes, which is printed, but an end of waiting. */
+  /** The longest wait for a failover. The time it takes is printed, not asserted. */
   private static final Duration PATIENCE = Duration.ofSeconds(60);
 
   /** Longer than a lease: a robot that is read after this time has an owner again. */
   private static final Duration AFTER_LEASE = Duration.ofSeconds(4);
 
-  /** Longer than offset.flush.interval.ms: without an offset, no gap can be told of. */
+  /** Longer than offset.flush.interval.ms: without an offset, no gap can be reported. */
   private static final Duration OFFSETS_STORED = Duration.ofSeconds(3);
 
   @TempDir private static Path folder;

@@ -63,7 +63,7 @@ final class JavaProcess implements AutoCloseable {
     }
   }
 
-  /** Waits for a short time, for the next look at something that cannot be waited for. */
+  /** Waits for a short time before the next check of a state that sends no event. */
   static void pause(long millis) throws InterruptedException {
     boolean unused = new CountDownLatch(1).await(millis, TimeUnit.MILLISECONDS);
   }

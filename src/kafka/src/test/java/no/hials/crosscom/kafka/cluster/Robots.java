@@ -23,7 +23,7 @@ final class Robots implements AutoCloseable {
   /**
    * Starts robots.
    *
-   * @param tables of the file: groups and variables
+   * @param tables the groups and variables of the file
    */
   Robots(Path folder, int count, String tables) throws IOException {
     StringBuilder text = new StringBuilder();

@@ -1,4 +1,4 @@
-/** Tests with a broker and workers of Kafka Connect, each a process of its own. */
+/** Tests with a broker and workers of Kafka Connect, each in its own process. */
 @NullMarked
 package no.hials.crosscom.kafka.cluster;
 

@@ -2,13 +2,13 @@ package no.hials.crosscom.cell.feed;
 
 import java.util.List;
 
-/** Takes the updates of robots. */
+/** Receives the updates of robots. */
 @FunctionalInterface
 public interface FeedListener {
   /**
-   * Called with updates of one robot, at most once at a time for each. It must not block.
+   * Called with updates of one robot; calls for the same robot never overlap. Must not block.
    *
-   * @param updates at least one, of variables that were read together
+   * @param updates the updates of variables that were read together, at least one
    */
   void updated(RobotFeed feed, List<Update> updates);
 }

@@ -26,13 +26,13 @@ public record PlannedVariable(
     double deadBand,
     @Nullable VariableSettings settings) {
 
-  /** Returns the name in upper case, since KRL does not tell cases apart. */
+  /** Returns the name in upper case, since KRL ignores case. */
   public String key() {
     return name.toUpperCase(Locale.ROOT);
   }
 
   /**
-   * Returns the unit of the variable or of a number in it: the one of its settings, or else of the
+   * Returns the unit of the variable or of a number in it, from its settings or else from the
    * catalogue.
    *
    * @param leaf the name of the number, such as {@code $POS_ACT.X}

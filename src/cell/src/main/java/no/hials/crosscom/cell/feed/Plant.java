@@ -31,7 +31,7 @@ public record Plant(
     settings = Map.copyOf(settings);
   }
 
-  /** Returns the settings of a variable in any case; null if it has none. */
+  /** Returns the settings of a variable, whatever its case; null if it has none. */
   public @Nullable VariableSettings settings(String variable) {
     return settings.get(variable.toUpperCase(Locale.ROOT));
   }
@@ -45,7 +45,7 @@ public record Plant(
   }
 
   /**
-   * Refuses a plan that would take too much of the time of a controller.
+   * Checks that no plan uses too much of the time of a controller.
    *
    * @throws FileException if a plan is above the limit
    */

@@ -34,7 +34,7 @@ public final class PlantFile {
 
   private PlantFile() {}
 
-  /** The groups of a plant without groups of its own: where the robot is, and what it does. */
+  /** The groups of a plant that configures none: the position and the state of the robot. */
   public static final List<Group> DEFAULT_GROUPS =
       List.of(
           new Group(
@@ -55,7 +55,7 @@ public final class PlantFile {
   /**
    * Reads a plant.
    *
-   * @param more robots that are not in the file
+   * @param more further robots, which are not in the file
    * @throws FileException if something is wrong, with its line and the rule
    */
   public static Plant read(TomlTable root, Map<String, Robot> more) throws FileException {
@@ -122,7 +122,7 @@ public final class PlantFile {
     return groups;
   }
 
-  /** Checks names as the client will. */
+  /** Checks names by the rules of the client. */
   private static void checkNames(TomlTable table, String key, List<String> names)
       throws FileException {
     try {

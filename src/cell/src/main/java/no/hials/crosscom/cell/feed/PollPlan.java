@@ -16,8 +16,8 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.protocol.ServerType;
 
 /**
- * The accesses that read the variables of one robot. Two fields of one structure are read by the
- * structure, and C3 Bridge reads all variables of a period in one access.
+ * The accesses that read the variables of one robot. Two fields of one structure are read as the
+ * whole structure. C3 Bridge reads all variables of a period in one access.
  *
  * @param robot the robot
  * @param variables its variables by their names in upper case
@@ -32,7 +32,7 @@ public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Dura
     variables = Collections.unmodifiableMap(new LinkedHashMap<>(variables));
   }
 
-  /** A variable that is wanted, as the configuration writes it, and its group. */
+  /** A configured variable, as the configuration writes it, and its group. */
   private record Wish(String name, Group group) {
     String key() {
       return name.toUpperCase(Locale.ROOT);
@@ -79,7 +79,7 @@ public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Dura
     return new PollPlan(robot, variables, plant.accessTime());
   }
 
-  /** Returns the structure of a field if another part of it is read as often. */
+  /** Returns the structure of a field if another field of it is read at the same period. */
   private static String read(Wish wish, Collection<Wish> all) {
     String structure = wish.structure();
     boolean shared =
@@ -105,8 +105,8 @@ public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Dura
   }
 
   /**
-   * Returns the accesses per second. If the type of the server is not configured, it is taken for
-   * KUKAVARPROXY, which needs more of them.
+   * Returns the accesses per second. Assumes KUKAVARPROXY, which needs more of them, if the type of
+   * the server is not configured.
    */
   public double accessesPerSecond() {
     double sum = 0;
@@ -122,12 +122,12 @@ public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Dura
     return robot.server() == ServerType.C3_BRIDGE;
   }
 
-  /** Returns the expected load of the controller: the percentage of its time that accesses take. */
+  /** Returns the expected load of the controller: the percentage of its time spent on accesses. */
   public double load() {
     return accessesPerSecond() * accessTime.toNanos() / 1e7;
   }
 
-  /** Returns one line for people. */
+  /** Returns a description of the plan in one line. */
   public String text() {
     Set<String> periods = new LinkedHashSet<>();
     reads().forEach((period, names) -> periods.add(period.toMillis() + " ms"));
@@ -142,7 +142,7 @@ public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Dura
         robot.server() == null ? " with KUKAVARPROXY, less with C3 Bridge" : "");
   }
 
-  /** Returns the variables that are read with a name of {@link #reads}. */
+  /** Returns the variables that are read by one name of {@link #reads}. */
   List<PlannedVariable> readBy(String read) {
     List<PlannedVariable> found = new ArrayList<>();
     for (PlannedVariable variable : variables.values()) {

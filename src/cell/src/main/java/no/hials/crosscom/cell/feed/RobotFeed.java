@@ -24,14 +24,14 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads the variables of a plan from one robot, over one connection with one access at a time, and
- * passes on what is new. While the robot does not answer, its variables are stale once; when it
- * answers again, they are passed on again.
+ * passes new values on to a listener. When the robot stops answering, each variable is passed on
+ * once as stale; when it answers again, all values are passed on again.
  */
 public final class RobotFeed implements Closeable {
   /** A value is stale this long after the time of its next reading. */
   private static final Duration GRACE = Duration.ofSeconds(1);
 
-  /** A listener does not block, so that few samples wait for it. */
+  /** The samples that can wait for a listener. It must not block, so few do. */
   private static final int BUFFER = 16;
 
   private final PollPlan plan;
@@ -58,7 +58,7 @@ public final class RobotFeed implements Closeable {
       this.deadBand = new DeadBand(variable.deadBand(), false);
     }
 
-    /** Notes a value, and returns it if it is to be passed on. */
+    /** Stores a value, and returns its update if it must be passed on. */
     @Nullable Update good(KrlValue now, Instant readAt) {
       KrlValue before = passedOn;
       boolean isNew =
@@ -78,7 +78,7 @@ public final class RobotFeed implements Closeable {
       return new Update(variable, readAt, Quality.GOOD, now, "");
     }
 
-    /** Notes that there is no value, and returns that once. */
+    /** Stores that there is no value, and returns the update the first time. */
     @Nullable Update without(Quality why, String text, Instant failedAt) {
       if (quality == why && (why == Quality.STALE || reason.equals(text))) {
         return null;
@@ -107,7 +107,7 @@ public final class RobotFeed implements Closeable {
     plan.variables().forEach((name, variable) -> held.put(name, new Held(variable)));
   }
 
-  /** Receives the events of a connection, from before the feed exists. */
+  /** Receives the events of a connection, which begin before the feed exists. */
   private static final class Events {
     private final List<ConnectionEvent> early = new ArrayList<>();
     private @Nullable RobotFeed feed;
@@ -129,7 +129,7 @@ public final class RobotFeed implements Closeable {
   /**
    * Connects to a robot. Reading begins with {@link #start}.
    *
-   * @param opener connects; the robot may be off until later if it connects in the background
+   * @param opener connects to the robot; if it does so in the background, the robot may be off
    */
   public static RobotFeed open(PollPlan plan, RobotConnection.Opener opener, FeedListener listener)
       throws IOException {
@@ -158,7 +158,7 @@ public final class RobotFeed implements Closeable {
     }
   }
 
-  /** Returns the plan that it reads. */
+  /** Returns the plan of this feed. */
   public PollPlan plan() {
     return plan;
   }
@@ -262,7 +262,7 @@ public final class RobotFeed implements Closeable {
         reading.time());
   }
 
-  /** Marks variables as stale whose next reading is overdue, such as after a slow one. */
+  /** Marks variables as stale if their next reading is overdue, such as after a slow one. */
   public void checkAges() {
     long now = System.nanoTime();
     Instant time = Instant.now();
@@ -287,7 +287,7 @@ public final class RobotFeed implements Closeable {
     }
   }
 
-  /** Passes on all values that are known once more, for a listener that has missed them. */
+  /** Passes on all known values once more, for a listener that has missed them. */
   public void repeat() {
     passOn(
         one ->
@@ -302,7 +302,7 @@ public final class RobotFeed implements Closeable {
         held.values());
   }
 
-  /** Ends reading and the connection. After that, the listener is not called. */
+  /** Stops reading and closes the connection. After that, the listener is not called. */
   @Override
   public void close() throws IOException {
     synchronized (this) {

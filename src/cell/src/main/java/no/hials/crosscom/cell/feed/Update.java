@@ -5,13 +5,13 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A reading of a variable, or why there is none.
+ * The value that was read from a variable, or the reason why there is none.
  *
  * @param variable the variable
  * @param time when the value was read; without a value, when reading it failed
- * @param quality how far it can be relied on
+ * @param quality the reliability of the value
  * @param value the value; null if there is none
- * @param reason why the quality is not good; empty if it is
+ * @param reason why the quality is not good; empty if it is good
  */
 public record Update(
     PlannedVariable variable,

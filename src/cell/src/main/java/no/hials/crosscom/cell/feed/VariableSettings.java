@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
  *
  * @param name the variable, in upper case
  * @param unit its unit; null for the unit of the catalogue
- * @param deadBand the difference up to which a REAL counts as unchanged; null for that of the group
- * @param range the range of its numbers, and of those that may be written; null if unknown
+ * @param deadBand the difference up to which a REAL counts as unchanged; null for the group's
+ * @param range the range of its numbers, also of those to write; null if unknown
  * @param values the values that may be written if it is not a number, in upper case; empty for any
  * @param writable whether it may be written
  */

@@ -13,13 +13,13 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes for other systems what the configuration allows, each write with a line in the audit log.
- * A write is never repeated.
+ * Writes variables for other systems, if the configuration allows it. Each write has a line in the
+ * audit log and is never repeated.
  */
 public final class Writes {
   private final AuditLog audit;
 
-  /** Creates an object that writes its lines to a log. */
+  /** Creates an object that adds its lines to an audit log. */
   public Writes(AuditLog audit) {
     this.audit = audit;
   }
@@ -51,7 +51,7 @@ public final class Writes {
     }
   }
 
-  /** Refuses what the configuration does not allow. */
+  /** Refuses a write that the configuration does not allow. */
   private static void check(Plant plant, RobotFeed robot, String name, String text)
       throws IOException {
     String target = robot.name() + ": " + name;
@@ -81,7 +81,7 @@ public final class Writes {
     robot.client().checkText(name, text);
   }
 
-  /** Returns the number of a text; null if it is another scalar. */
+  /** Returns the number in a text; null if the text is another scalar. */
   private static @Nullable Double number(String target, String text) throws IOException {
     KrlValue value;
     try {

@@ -5,7 +5,7 @@ import java.time.Duration;
 import no.hials.crosscom.Sample;
 import no.hials.crosscom.cell.SampledRobot;
 
-/** Writes a line of JSON for each sample, which also has the number of failed readings. */
+/** Writes a line of JSON for each sample, with the number of failed readings. */
 public final class JsonRecording implements Recording {
   private final RecordingOutput output;
 

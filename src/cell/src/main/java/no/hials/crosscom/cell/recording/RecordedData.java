@@ -127,7 +127,7 @@ public final class RecordedData {
       return records.size();
     }
 
-    /** Refuses a row whose open quote swallows later rows, which would be left out with it. */
+    /** Refuses a row with an open quote that includes later rows: all of them would be left out. */
     private static void checkClosed(CsvRecord row) {
       if (row.getFields().stream().anyMatch(field -> field.indexOf('\n') >= 0)) {
         throw new IllegalArgumentException(

@@ -35,7 +35,7 @@ public final class RecordingFile implements Recording.RecordingOutput {
    *
    * @param name its name for messages
    * @param overwrite whether an existing file is overwritten
-   * @throws OutputException if it cannot be created, or somebody is recording to it
+   * @throws OutputException if it cannot be created, or another recording writes to it
    */
   public static RecordingFile open(Path path, String name, boolean overwrite) {
     boolean replaces = overwrite || (Files.exists(path) && !Files.isRegularFile(path));

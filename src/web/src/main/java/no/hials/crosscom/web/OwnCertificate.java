@@ -20,12 +20,12 @@ import java.util.stream.Collectors;
 import no.hials.crosscom.cell.FileException;
 
 /**
- * A certificate that signs itself, kept in a file, so that its fingerprint stays the same. The
- * {@code keytool} of the running Java makes it: the JDK has no other way to make one, and a library
- * for it is larger than the whole web server.
+ * A self-signed certificate, kept in a file so that its fingerprint stays the same. The {@code
+ * keytool} of the running Java creates it: the JDK has no API for that, and a library for it is
+ * larger than the whole web server.
  *
  * @param certificate the certificate
- * @param isNew whether it was made now
+ * @param isNew whether the certificate was just created
  */
 public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
   private static final int DAYS = 365;
@@ -34,8 +34,8 @@ public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
   private static final String PASSWORD = "JOPENSHOWVAR_KEYTOOL";
 
   /**
-   * Returns the certificate in a folder. If there is none, or it ends within 30 days, or it lacks a
-   * name of the page, another one is made.
+   * Returns the certificate in a folder. Creates another one if there is none, if it expires within
+   * 30 days, or if it lacks a name of the page.
    *
    * @param folder the folder of its file {@code page.pem}, which only its owner may read
    * @throws FileException if the file cannot be written, or this Java has no {@code keytool}
@@ -77,11 +77,11 @@ public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
     try {
       Files.createDirectory(folder, privately(parent, "rwx------"));
     } catch (FileAlreadyExistsException e) {
-      // as it was before
+      // an existing folder keeps its permissions
     }
   }
 
-  /** Returns the permissions of a new file; elsewhere than on Unix those of its folder. */
+  /** Returns the permissions of a new file; on other systems than Unix, those of its folder. */
   private static FileAttribute<?>[] privately(Path folder, String permissions) throws IOException {
     return Files.getFileStore(folder).supportsFileAttributeView("posix")
         ? new FileAttribute<?>[] {

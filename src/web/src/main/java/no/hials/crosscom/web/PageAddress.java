@@ -76,8 +76,8 @@ public final class PageAddress {
   }
 
   /**
-   * Adds those that browsers elsewhere can use; IPv4 first, which people can type. Those of IPv6
-   * change every day on many computers, so they are for those who ask for them.
+   * Adds the addresses that browsers on other computers can use, IPv4 first, since people can type
+   * them. IPv6 addresses change every day on many computers, so they are added only on request.
    */
   private static void addAddressesOfThisComputer(Set<String> names, boolean ipv6) {
     try {
@@ -95,14 +95,14 @@ public final class PageAddress {
     }
   }
 
-  /** Returns an address as it is in links: one of IPv6 in brackets, without its zone. */
+  /** Returns an address as links show it: an IPv6 address in brackets, without its zone. */
   private static String name(InetAddress address) {
     String text = address.getHostAddress();
     return address instanceof Inet4Address ? text : "[" + text.replaceFirst("%.*", "") + "]";
   }
 
   /**
-   * Returns the host that a header {@code Host} names, as {@link #names} has it.
+   * Returns the host that a header {@code Host} names, in the form of {@link #names}.
    *
    * @param host a name or an address, in any form
    */

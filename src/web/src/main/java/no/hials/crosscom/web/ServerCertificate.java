@@ -60,7 +60,7 @@ public final class ServerCertificate {
   /**
    * Reads a certificate and its key in PEM format.
    *
-   * @param certificate the file with the certificate, and those of its issuers after it
+   * @param certificate the file with the certificate, followed by those of its issuers
    * @param key the file with the key in PKCS #8; may be the same
    * @param password the password of the key; null if it has none
    * @throws FileException if a file cannot be used, or the certificate is not valid now
@@ -72,7 +72,7 @@ public final class ServerCertificate {
     return read;
   }
 
-  /** Reads a certificate as {@link #ofPem}, which may have expired. */
+  /** Reads a certificate as {@link #ofPem}, even if it has expired. */
   static ServerCertificate readPem(Path certificate, Path key, char @Nullable [] password)
       throws IOException {
     List<X509Certificate> chain = new ArrayList<>();
@@ -210,7 +210,7 @@ public final class ServerCertificate {
       throws IOException {
     try {
       EncryptedPrivateKeyInfo info = new EncryptedPrivateKeyInfo(bytes);
-      // the name of the scheme with its parts, which the name PBES2 alone does not tell
+      // the name of the scheme with its parts: the name PBES2 alone does not show them
       String scheme = info.getAlgParameters().toString();
       SecretKey secret =
           SecretKeyFactory.getInstance(scheme).generateSecret(new PBEKeySpec(password));
@@ -220,7 +220,7 @@ public final class ServerCertificate {
     } catch (InvalidKeySpecException e) {
       throw wrongPassword(file, e);
     } catch (GeneralSecurityException | IOException e) {
-      FileException refused = oldFormat(file); // such as DES, which OpenSSL used for long
+      FileException refused = oldFormat(file); // such as DES, which OpenSSL used for years
       refused.initCause(e);
       throw refused;
     }
@@ -231,7 +231,7 @@ public final class ServerCertificate {
       try {
         return KeyFactory.getInstance(algorithm).generatePrivate(spec);
       } catch (GeneralSecurityException e) {
-        // of another algorithm
+        // the key is of another algorithm
       }
     }
     throw new FileException("the key in " + file + " must be one of EC, RSA or EdDSA");
@@ -273,7 +273,7 @@ public final class ServerCertificate {
     }
   }
 
-  /** Returns the end of its validity. */
+  /** Returns the end of the validity. */
   public Instant end() {
     return chain.get(0).getNotAfter().toInstant();
   }
@@ -294,11 +294,11 @@ public final class ServerCertificate {
       byte[] hash = MessageDigest.getInstance("SHA-256").digest(chain.get(0).getEncoded());
       return HexFormat.ofDelimiter(":").withUpperCase().formatHex(hash);
     } catch (GeneralSecurityException e) {
-      throw new IllegalStateException(e); // every JVM has it, and the certificate was read
+      throw new IllegalStateException(e); // every JVM has SHA-256, and the certificate was read
     }
   }
 
-  /** Returns whether the certificate names a host, as {@link PageAddress#names} has it. */
+  /** Returns whether the certificate names a host, in the form of {@link PageAddress#names}. */
   public boolean isFor(String host) {
     String plain = host.startsWith("[") ? host.substring(1, host.length() - 1) : host;
     try {

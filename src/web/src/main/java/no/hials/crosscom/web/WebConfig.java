@@ -55,7 +55,7 @@ public final class WebConfig {
     return new WebConfig(builder);
   }
 
-  /** Returns the robots of the page, in its order. */
+  /** Returns the robots of the page, in their order. */
   public List<Robot> robots() {
     return robots;
   }
@@ -129,8 +129,8 @@ public final class WebConfig {
     }
 
     /**
-     * Sets what connects to the robots and starts the simulated ones. The default connects in the
-     * background, and knows no simulated robots.
+     * Sets the opener that connects to the robots and starts the simulated ones. The default
+     * connects in the background, and has no simulated robots.
      */
     public Builder opener(RobotConnection.Opener value) {
       opener = Objects.requireNonNull(value, "opener");
@@ -138,8 +138,8 @@ public final class WebConfig {
     }
 
     /**
-     * Sets the folder for watch lists, recordings and the audit log, created when it is needed.
-     * There is no default.
+     * Sets the folder for watch lists, recordings and the audit log, created when needed. There is
+     * no default.
      */
     public Builder folder(Path value) {
       folder = Objects.requireNonNull(value, "folder");
@@ -182,7 +182,8 @@ public final class WebConfig {
 
     /**
      * Sets whether real robots may be jogged in other modes than T1, where nobody has to hold an
-     * enabling switch. The default is false. Robots that are simulated by this process may always.
+     * enabling switch. The default is false. Robots simulated by this process may always be jogged
+     * in every mode.
      */
     public Builder jogInAuto(boolean value) {
       jogInAuto = value;

@@ -44,7 +44,7 @@ public final class WebServer implements AutoCloseable {
   private static final int MAX_HEADER_BYTES = 8 * 1024;
   private static final long IDLE_MILLIS = 30_000;
 
-  /** Of a key store in memory, which nobody else reads. */
+  /** The password of a key store in memory, which nobody else reads. */
   private static final String PASSWORD = "in memory";
 
   private final PageAddress address;
@@ -66,7 +66,7 @@ public final class WebServer implements AutoCloseable {
     secure = config.certificate().isPresent();
     connector = connector(config);
     server.addConnector(connector);
-    listen(); // before the robots are asked, since another program may have the port
+    listen(); // before connecting to the robots, since another program may have the port
     parts.add(server::stop);
   }
 
@@ -100,7 +100,7 @@ public final class WebServer implements AutoCloseable {
     context.setKeyStorePassword(PASSWORD);
     context.setIncludeProtocols("TLSv1.3", "TLSv1.2");
     context.setRenegotiationAllowed(false);
-    // HostCheck compares the names: a certificate that lacks one is for the browser to judge
+    // HostCheck compares the names; the browser judges a certificate that lacks one
     http.addCustomizer(new SecureRequestCustomizer(false));
     HttpConnectionFactory inner = new HttpConnectionFactory(http);
     return new ConnectionFactory[] {new SslConnectionFactory(context, inner.getProtocol()), inner};
@@ -116,7 +116,7 @@ public final class WebServer implements AutoCloseable {
     return start(config, Clock.systemUTC());
   }
 
-  /** Starts the server with a clock for the ends of links. */
+  /** Starts the server with the clock by which links expire. */
   static WebServer start(WebConfig config, Clock clock) throws IOException {
     WebServer server = new WebServer(config, clock);
     try {
@@ -182,7 +182,7 @@ public final class WebServer implements AutoCloseable {
     return origin() + "/?token=" + tokens.newLink(role);
   }
 
-  /** Returns the origin of the page, as browsers call it. */
+  /** Returns the origin of the page, as browsers send it. */
   String origin() {
     return origin(address.names().get(0));
   }

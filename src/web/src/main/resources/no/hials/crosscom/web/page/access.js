@@ -1,5 +1,5 @@
-// The dialog that lets others in: a link for a role, with a code for the cameras of phones, and the
-// browsers that are in.
+// The dialog that lets others in: a link for a role, with a QR code for phones, and the browsers
+// that have a session.
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -15,7 +15,7 @@ const ROLES = [
 const ROLE_NAMES = { VIEW: 'view', OPERATE: 'operate', JOG: 'jog' };
 const QUIET_ZONE = 4;
 
-/** Draws a QR code from its rows, dark on light also on a dark page, as cameras expect. */
+/** Draws a QR code from its rows; dark on light even on a dark page, as cameras expect. */
 function Code({ rows }) {
   const size = rows.length + 2 * QUIET_ZONE;
   const path = rows.flatMap((row, y) =>
@@ -130,7 +130,7 @@ function Browsers({ browsers, onError }) {
   );
 }
 
-/** Where the page can be reached, and how a person knows that it is this server. */
+/** The addresses of the page, and the fingerprint that identifies this server. */
 function Reach({ access }) {
   return [
     access.loopback &&

@@ -8,7 +8,7 @@ import { ReplayBar } from './replay-bar.js';
 import { connect } from './socket.js';
 import { ageOf, header, state, useSharedState, watchAges } from './state.js';
 
-/** The views by their addresses: the title, and the module, which is loaded when it is needed. */
+/** The views by their addresses: the title, and the module, which is loaded when needed. */
 const VIEWS = {
   variables: ['Variables', () => import('./view/variables.js')],
   robot: ['3-D', () => import('./view/robot.js')],
@@ -47,12 +47,12 @@ function Notes() {
   );
 }
 
-/** Shown over everything while there is no connection to the server, or from it to the robot. */
+/** Shown on top of everything while the server, or its connection to the robot, is lost. */
 function Connection() {
   const { socket } = useSharedState();
   if (socket === 'open') {
     const one = header();
-    // not for a blink
+    // a short loss is not shown
     return one.reason && one.connection !== 'connected' && ageOf(one) > 1000
       ? h('p', { class: 'banner lost', role: 'alert' }, `No connection to ${one.robot}: ${one.reason}`)
       : null;
@@ -90,7 +90,7 @@ function App() {
     h(Connection),
     h(ReplayBar),
     h(Navigation, { view }),
-    // a view begins again with another robot
+    // another robot starts a new view
     h('main', { id: 'main' }, Content && state.robot && h(Boundary, { key: view + state.robot }, h(Content))),
     h(Notes),
   );

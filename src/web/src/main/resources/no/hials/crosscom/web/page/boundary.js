@@ -1,4 +1,4 @@
-// Keeps the failure of a view in the view: the header, which shows the state of the robot, stays.
+// Limits a failure to its view: the header, which shows the state of the robot, stays.
 
 import { Component, h } from 'preact';
 

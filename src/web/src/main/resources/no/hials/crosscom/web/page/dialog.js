@@ -1,4 +1,4 @@
-// A dialog over the page: the element of the browser keeps the focus inside, and Escape closes it.
+// A dialog over the page: the <dialog> element keeps the focus inside, and Escape closes it.
 
 import { h } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';

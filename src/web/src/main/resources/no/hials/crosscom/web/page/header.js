@@ -1,4 +1,4 @@
-// The line that is always on top: robot, connection, mode, program, override, stop and lock.
+// The line that is always at the top: robot, connection, mode, program, override, stop and lock.
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -27,7 +27,7 @@ const PROGRAM_STATES = {
 
 const STOPS = { TRUE: 'message waits', FALSE: 'none' };
 
-/** Renders the component again several times a second, since ages grow without any event. */
+/** Renders the component several times a second, since ages grow without any event. */
 function useTicks(period) {
   const [, setCount] = useState(0);
   useEffect(() => {
@@ -70,7 +70,7 @@ function Connection({ one, stale }) {
 function Program({ name, program, programState }) {
   const words = PROGRAM_STATES[programState] ?? programState ?? '–';
   const kind = { '#P_ACTIVE': 'good', '#P_STOP': 'warn' }[programState] ?? '';
-  // on a narrow page the name is cut, the state is not
+  // a narrow page truncates the name, but not the state
   return program
     ? h(Item, { name, kind: `${kind} program` }, h('span', null, program), h('span', null, ` · ${words}`))
     : h(Item, { name, kind }, words);
@@ -183,7 +183,7 @@ function RobotName({ state, one }) {
   return h('strong', { class: 'robot' }, one.robot ?? '…');
 }
 
-/** Tells the style sheets the height of the header, below which others stick. */
+/** Sets the height of the header in the style sheets, since other parts stick below it. */
 function useHeight() {
   const element = useRef(null);
   useEffect(() => {

@@ -1,4 +1,4 @@
-// The readings of a view, and whether they may no longer be true.
+// The readings of a view, and whether they may be outdated.
 
 import { useEffect, useState } from 'preact/hooks';
 import { watch } from './socket.js';
@@ -19,7 +19,7 @@ export function oldestTime(values) {
 /**
  * Watches variables of the robot of the view.
  *
- * @returns the last values by their names, each with its time, and whether they may no longer be true
+ * @returns the last values by their names, each with its time, and whether they may be outdated
  */
 export function useReadings(list, names, period) {
   const robot = useRobot();
@@ -28,7 +28,7 @@ export function useReadings(list, names, period) {
     setValues({});
     return watch(robot, list, names, period, (event) => {
       if (!event.missed) {
-        setValues((old) => ({ ...old, ...timed(event) })); // without one the old stay, and are stale
+        setValues((old) => ({ ...old, ...timed(event) })); // without readings the old ones stay
       }
     });
   }, [names.join(), period]);

@@ -6,7 +6,7 @@ import { changed, state } from './state.js';
 
 export const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
 
-/** The longest step of the player in s of the clock: a page that was hidden does not jump. */
+/** The longest step of the player in s, so that the time does not jump after a hidden page. */
 export const LONGEST_STEP = 0.5;
 
 const TEXT_PERIOD = 100;
@@ -66,7 +66,7 @@ function variableOf(leaf) {
   return leaf.split(/[.[]/, 1)[0];
 }
 
-/** Plays a recording: a time in s since its start, which goes on by the clock. */
+/** Plays a recording: a time in s since its start, which advances with the clock. */
 class Player {
   time = 0;
   speed = 1;
@@ -110,7 +110,7 @@ class Player {
     this.listeners.forEach((listener) => listener());
   }
 
-  /** Calls a function when the time has changed; returns a function that ends it. */
+  /** Calls a function when the time has changed; returns a function that stops the calls. */
   follow(listener) {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -137,7 +137,7 @@ export function closeReplay() {
   }
 }
 
-/** Renders again several times a second while the time changes. */
+/** Renders the component several times a second while the time changes. */
 export function usePlayerTime(player) {
   const [, setTime] = useState(0);
   useEffect(() => {

@@ -1,12 +1,12 @@
 // The connection to the server: commands with their answers, events, and watched variables. It
-// connects again by itself and then watches again what was watched before.
+// reconnects automatically, and then watches the same variables as before.
 
 import { changed, forgetServerTime, noteServerTime, state } from './state.js';
 
 const LONGEST_WAIT = 10_000;
 const PING_PERIOD = 1000;
 
-// a silent server is given up after this time, in ms: later than it refuses commands as too old
+// ms of silence until the page gives up the server: longer than the server accepts old commands
 const LONGEST_SILENCE = 4000;
 
 const token = document.querySelector('meta[name=socket-token]').content;
@@ -68,7 +68,7 @@ function lost() {
   setTimeout(reconnect, Math.min(250 * attempts, 2000));
 }
 
-/** Connects again, unless the server says that this browser has no session any more. */
+/** Reconnects, unless the server answers that this browser has no session any more. */
 async function reconnect() {
   try {
     const answer = await fetch('/style/base.css', { cache: 'no-store' });
@@ -115,7 +115,7 @@ export function call(name, fields = {}) {
   });
 }
 
-/** Sends a command without waiting for its answer, as a beat; returns whether it could be sent. */
+/** Sends a command, such as a beat, without waiting for its answer; returns whether it was sent. */
 export function tell(name, fields = {}) {
   if (socket?.readyState !== WebSocket.OPEN) {
     return false;
@@ -150,7 +150,7 @@ function receive(message) {
   eventListeners.get(message.event)?.forEach((listener) => listener(message));
 }
 
-/** Calls a function with each event of a kind; returns a function that ends it. */
+/** Calls a function with each event of a kind; returns a function that stops the calls. */
 export function onEvent(kind, listener) {
   const all = eventListeners.get(kind) ?? new Set();
   eventListeners.set(kind, all.add(listener));
@@ -160,11 +160,11 @@ export function onEvent(kind, listener) {
 /**
  * Watches variables of a robot.
  *
- * @param list a name for the list, one of each view; watching again replaces the list
+ * @param list a name for the list, unique to the view; watching again replaces the list
  * @param period in ms
  * @param listener called with each event: time and access_ms in ms, missed, and values by the
  *     names in capitals: {type, value} or {error}
- * @returns a function that ends it
+ * @returns a function that ends the watching
  */
 export function watch(robot, list, names, period, listener) {
   const one = { robot, list, names, period, listener };
@@ -188,7 +188,7 @@ function tellVisible() {
 
 document.addEventListener('visibilitychange', () => tellVisible().catch(() => {}));
 
-// finds out that the network is gone, which a socket alone notices after minutes
+// detects a lost network, which a socket alone notices only after minutes
 setInterval(() => {
   if (state.socket !== 'open') {
     return;

@@ -1,9 +1,9 @@
-// The state that all views share, and the hook by which they follow it.
+// The state that all views share, and the hook that renders them when it changes.
 
 import { useEffect, useRef, useState } from 'preact/hooks';
 
 export const state = {
-  /** The socket: 'connecting', 'open', 'lost' or 'ended' (the session is not valid any more). */
+  /** The socket: 'connecting', 'open', 'lost' or 'ended' (the session is no longer valid). */
   socket: 'connecting',
   /** This browser: its name and its role. */
   who: { name: '', role: 'VIEW', robots: [] },
@@ -25,11 +25,11 @@ const LATE = 750; // ms
 const listeners = new Set();
 let scheduled = false;
 
-/** Renders again what follows the state, once for many changes. */
+/** Renders the components that use the state, once for many changes. */
 export function changed() {
   if (!scheduled) {
     scheduled = true;
-    // a hidden page has no animation frames, and needs none
+    // a hidden page gets no animation frames, and needs none
     requestAnimationFrame(() => {
       scheduled = false;
       listeners.forEach((listener) => listener());
@@ -51,14 +51,14 @@ export function useSharedState() {
 const CLOCK_DRIFT = 0.0002; // two clocks run apart by less than 17 s a day
 const clock = { offset: Infinity, noted: 0 };
 
-/** Forgets the clock of the server: a new connection may be to one that was set again. */
+/** Forgets the clock of the server, which may have been set before a new connection. */
 export function forgetServerTime() {
   clock.offset = Infinity;
 }
 
 /**
- * Notes the time at which the server sent a message. The fastest message tells it best: one that the
- * network held back must not make old values look new.
+ * Stores the time at which the server sent a message. The fastest message is the most exact: a
+ * message that the network delayed must not make old values look new.
  */
 export function noteServerTime(sent) {
   const here = performance.now();
@@ -74,7 +74,7 @@ export function serverTime() {
 }
 
 /**
- * Returns the robot of a view, which stays the same until the view ends: what the view sends late
+ * Returns the robot of a view, which stays the same until the view ends: its late messages
  * must not reach another robot.
  */
 export function useRobot() {
@@ -96,19 +96,19 @@ export function ageOf(one) {
   return one.time === undefined ? Infinity : Math.max(0, serverTime() - one.time);
 }
 
-/** Returns the age in ms from which a value is old that is read at a period: the next one is late. */
+/** Returns the age in ms from which a value with this period is old: the next one is late. */
 export function oldAfter(period) {
   return period + LATE;
 }
 
-/** Returns whether the values of a header may no longer be true. */
+/** Returns whether the values of a header may be outdated. */
 export function isStale(one) {
   return (
     state.socket !== 'open' || one.connection !== 'connected' || ageOf(one) > oldAfter(one.period_ms)
   );
 }
 
-/** Returns why the values of a header may no longer be true, as a sentence; empty if they are. */
+/** Returns why the values of a header may be outdated, as a sentence; empty if they are current. */
 export function staleReason(one) {
   if (!isStale(one)) {
     return '';
@@ -124,7 +124,7 @@ export function staleReason(one) {
 
 const ages = new Set();
 
-/** Renders the component again as soon as a function of the time, such as an age, changes. */
+/** Renders the component as soon as a function of the time, such as an age, changes. */
 export function useAges(tell) {
   useSharedState();
   const latest = useRef(tell);
@@ -137,11 +137,11 @@ export function useAges(tell) {
 }
 
 /**
- * Returns whether what a view shows may no longer be true: the header is stale, or it is too old
- * itself.
+ * Returns whether the values of a view may be outdated: the header is stale, or the values are too
+ * old.
  *
- * @param timeOf returns the time of what is shown, that of the server; undefined if there is none
- * @param longest the age in ms that is still good
+ * @param timeOf returns the time of the values by the clock of the server; undefined without values
+ * @param longest the maximum age in ms
  */
 export function useStale(timeOf, longest) {
   const isOld = () => serverTime() - timeOf() > longest;
@@ -149,7 +149,7 @@ export function useStale(timeOf, longest) {
   return isStale(header()) || isOld();
 }
 
-/** Renders again when something becomes stale, which happens without any event. */
+/** Renders the component when a value becomes stale, which happens without any event. */
 export function watchAges() {
   let before = '';
   setInterval(() => {

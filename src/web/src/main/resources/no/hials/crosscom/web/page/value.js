@@ -2,9 +2,9 @@
 
 import { h } from 'preact';
 
-const HUGE = 1e7; // which no axis or position is
+const HUGE = 1e7; // larger than any axis or position
 
-/** Returns a value as a person reads it. */
+/** Returns a value as text for people. */
 export function valueText({ type, value, error }) {
   if (error !== undefined) {
     return error;
@@ -24,7 +24,7 @@ function scalarText(type, value) {
   if (typeof value === 'boolean') {
     return value ? 'TRUE' : 'FALSE';
   }
-  // a whole number of a REAL keeps its place when it changes
+  // a whole REAL keeps its decimal place, so that the text does not jump when it changes
   return type === 'REAL' && Number.isInteger(value) ? `${value}.0` : String(value);
 }
 
@@ -39,7 +39,7 @@ export function numberText(value, digits, unit = '') {
   return unit ? `${text} ${unit}` : text;
 }
 
-/** Returns the text of a number, as the header has it, in percent; a dash for anything else. */
+/** Returns a number of the header, which is a text, in percent; a dash for anything else. */
 export function percentText(text) {
   return text && Number.isFinite(Number(text)) ? `${text} %` : '–';
 }

@@ -1,4 +1,4 @@
-// The text in place of a view until the robot has answered.
+// The text shown instead of a view until the robot answers.
 
 import { h } from 'preact';
 import { header, staleReason, useSharedState } from './state.js';

@@ -17,7 +17,7 @@ import no.hials.crosscom.web.internal.socket.Json;
 import no.hials.crosscom.web.internal.socket.RateLimit;
 import no.hials.crosscom.web.internal.socket.Sockets;
 
-/** Lets browsers in by one-time links, lists those that are in, and sends them away. */
+/** Lets browsers in by one-time links, lists their sessions, and sends them away. */
 public final class AccessCommands {
   private static final Pattern LABEL = Pattern.compile("[\\p{L}\\p{N} ._'-]{0,40}");
   private static final double LINKS_PER_SECOND = 0.2;
@@ -36,7 +36,7 @@ public final class AccessCommands {
    *
    * @param origins the addresses of the page, the usual one first
    * @param loopback whether only this computer reaches them
-   * @param fingerprint that of the certificate; empty without TLS
+   * @param fingerprint the fingerprint of the certificate; empty without TLS
    */
   public AccessCommands(
       Tokens tokens,

@@ -10,7 +10,7 @@ import no.hials.crosscom.web.internal.socket.Sockets;
 
 /** Shows the audit log to pages: its last lines as an answer, further ones as events. */
 public final class AuditCommands {
-  /** So many lines can wait for a slow page. */
+  /** The lines that can wait for a slow page. */
   private static final int MAX_WAITING = 64;
 
   private final AuditLog audit;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.web.Role;
 
-/** A browser that came with a link. Thread-safe. */
+/** The session of a browser that used a link. Thread-safe. */
 public final class BrowserSession {
   private static final int MAX_PAGES = 32;
 
@@ -18,7 +18,7 @@ public final class BrowserSession {
   private final Instant since;
   private volatile boolean ended;
 
-  /** The tokens of the pages it has loaded; the oldest ones are forgotten. */
+  /** The tokens of the pages that it loaded; the oldest tokens are forgotten. */
   private final Set<String> pages =
       Collections.newSetFromMap(
           Collections.synchronizedMap(
@@ -34,7 +34,7 @@ public final class BrowserSession {
   /**
    * Creates a session.
    *
-   * @param label the name that somebody has chosen; may be empty
+   * @param label the name that somebody chose for the browser; may be empty
    * @param letInBy who made the link
    */
   BrowserSession(int number, Role role, String label, String letInBy, Instant since) {
@@ -60,22 +60,22 @@ public final class BrowserSession {
     return "browser " + number + (label.isEmpty() ? "" : " (" + label + ")");
   }
 
-  /** Returns who made the link by which it came. */
+  /** Returns who made the link that the browser used. */
   public String letInBy() {
     return letInBy;
   }
 
-  /** Returns when it came. */
+  /** Returns when the session began. */
   public Instant since() {
     return since;
   }
 
-  /** Ends the session, for good. */
+  /** Ends the session permanently. */
   void end() {
     ended = true;
   }
 
-  /** Returns whether it has not been sent away. */
+  /** Returns whether the session has not ended. */
   public boolean isIn() {
     return !ended;
   }

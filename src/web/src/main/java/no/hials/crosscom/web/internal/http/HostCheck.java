@@ -10,8 +10,8 @@ import org.eclipse.jetty.http.HttpScheme;
 import org.eclipse.jetty.server.Request;
 
 /**
- * Checks the names by which a browser calls this server. A page of another site can make the name
- * of its own host lead here (DNS rebinding); it cannot change the headers {@code Host} and {@code
+ * Checks the names by which a browser calls this server. Another site can make its host name point
+ * to this server (DNS rebinding), but its pages cannot change the headers {@code Host} and {@code
  * Origin}.
  */
 public final class HostCheck {
@@ -23,19 +23,20 @@ public final class HostCheck {
   /**
    * Creates a check.
    *
-   * @param names the names of this server; those of the loopback address are allowed there anyway
+   * @param names the names of this server; on the loopback address its usual names are always
+   *     allowed
    */
   public HostCheck(Collection<String> names) {
     this.names = Set.copyOf(names);
   }
 
-  /** Returns whether the host is this one, and the origin, if there is one, is our own page. */
+  /** Returns whether the host is this server, and the origin, if there is one, our own page. */
   boolean isOurs(Request request) {
     String origin = request.getHeaders().get(HttpHeader.ORIGIN);
     return isOurHost(request) && (origin == null || isOurOrigin(request));
   }
 
-  /** Returns whether a page of this server sent the request, as browsers say of a WebSocket. */
+  /** Returns whether a page of this server sent the request, by the origin that browsers send. */
   public static boolean isOurOrigin(Request request) {
     String origin = request.getHeaders().get(HttpHeader.ORIGIN);
     String host = request.getHeaders().get(HttpHeader.HOST);

@@ -40,7 +40,7 @@ final class PageFile {
     return ByteBuffer.wrap(compressed ? zipped : bytes);
   }
 
-  /** Returns a name of this content, for the cache of browsers. */
+  /** Returns the ETag of this content, for the cache of browsers. */
   String tag() {
     return tag;
   }
@@ -55,12 +55,12 @@ final class PageFile {
     }
   }
 
-  /** Returns the SHA-256 of some bytes in Base64, as a content security policy has it. */
+  /** Returns the SHA-256 of some bytes in Base64, as content security policies write it. */
   static String hash(byte[] bytes) {
     try {
       return Base64.getEncoder().encodeToString(MessageDigest.getInstance("SHA-256").digest(bytes));
     } catch (NoSuchAlgorithmException e) {
-      throw new AssertionError(e); // every JVM has it
+      throw new AssertionError(e); // every JVM has SHA-256
     }
   }
 

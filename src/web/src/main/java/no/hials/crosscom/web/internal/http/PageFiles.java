@@ -10,7 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The files of the page: our own, and those of its libraries that it loads. */
+/** The files of the page: our own, and those of the libraries that it loads. */
 final class PageFiles {
   private static final String OWN = "/no/hials/crosscom/web/page";
   private static final Pattern PATH = Pattern.compile("(/[a-z0-9][a-z0-9-]*)+\\.(js|css|svg)");
@@ -76,7 +76,7 @@ final class PageFiles {
     return Optional.of(file);
   }
 
-  /** Returns the resource of a library's file; the webjar says its version. */
+  /** Returns the resource of a library's file, with the version from the webjar. */
   private static String ofLibrary(String library) throws IOException {
     String[] parts = library.split(" ", 2);
     Properties pom = new Properties();

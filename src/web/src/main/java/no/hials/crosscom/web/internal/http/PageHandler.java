@@ -19,8 +19,8 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 
 /**
- * Serves the page: turns the token of a link into a session, and gives files to browsers that have
- * one.
+ * Serves the page: turns the token of a link into a session, and sends files to browsers with a
+ * session.
  */
 public final class PageHandler extends Handler.Abstract {
   private static final String TOKEN = "token";
@@ -29,8 +29,8 @@ public final class PageHandler extends Handler.Abstract {
           + " somebody who is in for a link; each link works once.";
 
   /**
-   * The answer to a link. A redirect would not do: to a link on another site, as in a web mail,
-   * browsers send the cookie only after a page of ours goes on.
+   * The answer to a link. A redirect would not work: after a link on another site, such as a web
+   * mail, browsers send the cookie only when our own page loads the next one.
    */
   private static final String ENTRANCE =
       """
@@ -103,7 +103,7 @@ public final class PageHandler extends Handler.Abstract {
         : file(path, request, response, callback);
   }
 
-  /** Sets the headers that keep what is not of this page out of it. */
+  /** Sets the headers that keep foreign content out of the page. */
   private void protect(HttpFields.Mutable headers) {
     headers.put("Content-Security-Policy", policy);
     headers.put("X-Content-Type-Options", "nosniff");
@@ -137,7 +137,7 @@ public final class PageHandler extends Handler.Abstract {
     response.write(true, ByteBuffer.wrap(page.getBytes(StandardCharsets.UTF_8)), callback);
   }
 
-  /** Returns the name of the cookie; browsers do not tell the ports of one host apart. */
+  /** Returns the name of the cookie. Browsers share cookies between all ports of a host. */
   private static String cookieName(Request request) {
     String name = "jopenshowvar-" + HostCheck.local(request).getPort();
     // the prefix keeps a server without TLS on this host from setting the cookie
@@ -166,7 +166,7 @@ public final class PageHandler extends Handler.Abstract {
     }
     PageFile file = found.get();
     HttpFields.Mutable headers = response.getHeaders();
-    headers.put(HttpHeader.CACHE_CONTROL, "no-cache"); // asks each time, and mostly gets a 304
+    headers.put(HttpHeader.CACHE_CONTROL, "no-cache"); // browsers ask, and usually get a 304
     headers.put(HttpHeader.ETAG, file.tag());
     headers.put(HttpHeader.VARY, "Accept-Encoding");
     if (file.tag().equals(request.getHeaders().get(HttpHeader.IF_NONE_MATCH))) {
@@ -184,7 +184,7 @@ public final class PageHandler extends Handler.Abstract {
     return true;
   }
 
-  /** Answers a request that Jetty refuses, or that fails, without any detail of it. */
+  /** Answers a request that Jetty refuses or that fails, without any details. */
   public static boolean error(Request request, Response response, Callback callback) {
     HttpFields.Mutable headers = response.getHeaders();
     headers.put("Content-Security-Policy", "default-src 'none'");
@@ -192,7 +192,7 @@ public final class PageHandler extends Handler.Abstract {
     return refuse(response, callback, response.getStatus(), "The request cannot be answered.");
   }
 
-  /** Answers with a sentence, which is plain text for any browser. */
+  /** Answers with a sentence in plain text. */
   public static boolean refuse(Response response, Callback callback, int status, String reason) {
     response.setStatus(status);
     response.getHeaders().put(HttpHeader.CONTENT_TYPE, "text/plain; charset=utf-8");

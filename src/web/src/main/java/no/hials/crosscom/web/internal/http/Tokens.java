@@ -22,13 +22,13 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 public final class Tokens {
-  /** A link that a browser has made ends after this time; that of the command does not. */
+  /** The time after which a link made by a browser expires. A link of the command does not. */
   public static final Duration LINK_TIME = Duration.ofMinutes(10);
 
   private static final SecureRandom RANDOM = new SecureRandom();
   private static final int BYTES = 32;
 
-  /** More than browsers can make within the time of a link, so that they displace no other one. */
+  /** More links than browsers can make in {@link #LINK_TIME}, so that they displace no other. */
   private static final int MAX_LINKS = 256;
 
   private static final int MAX_SESSIONS = 256;
@@ -71,7 +71,7 @@ public final class Tokens {
     return Base64.getUrlEncoder().withoutPadding().encodeToString(bytes);
   }
 
-  /** Calls something with each browser that comes in. */
+  /** Adds a task that is called with each new browser. */
   public void atOpen(Consumer<BrowserSession> task) {
     atOpen.add(task);
   }
@@ -85,7 +85,7 @@ public final class Tokens {
    * Returns the token of a new link that a browser makes for another one.
    *
    * @param label a name for the other browser; may be empty
-   * @return the token; empty if the browser that makes it has been sent away, or may do less
+   * @return the token; empty if the issuer has been sent away, or has fewer rights than the role
    */
   public synchronized Optional<String> newLink(Role role, String label, BrowserSession issuer) {
     if (!issuer.isIn() || !issuer.role().includes(role)) {
@@ -103,8 +103,8 @@ public final class Tokens {
   /**
    * Uses up the token of a link.
    *
-   * @return the key of a new session, for the cookie; empty if the token is unknown, was used, or
-   *     is too old
+   * @return the key of a new session, for the cookie; empty if the token is unknown, used or
+   *     expired
    */
   Optional<String> open(String token) {
     String key = random();
@@ -129,14 +129,14 @@ public final class Tokens {
     return Optional.ofNullable(sessions.get(key));
   }
 
-  /** Returns the browsers that are in, the first one first. */
+  /** Returns the browsers with a session, the oldest first. */
   public List<BrowserSession> browsers() {
     return sessions.values().stream()
         .sorted(Comparator.comparingInt(BrowserSession::number))
         .toList();
   }
 
-  /** Ends the session of a browser, and the links that it has made and nobody has used. */
+  /** Ends the session of a browser, and removes the unused links that it made. */
   public synchronized void end(BrowserSession browser) {
     browser.end();
     sessions.values().remove(browser);

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * <p>Thread-safe. It does not block, and has no thread: the loop asks in each cycle.
  */
 final class HoldToRun {
-  /** The time without a beat after which the robot stands. */
+  /** The time without a beat after which the robot stops. */
   static final Duration SILENCE = Duration.ofMillis(150);
 
   static final int DIRECTIONS = 6;
@@ -67,7 +67,7 @@ final class HoldToRun {
   record Allowed(List<Press> presses, long nanoTime) {}
 
   /**
-   * Creates it without any hold.
+   * Creates an object without holds.
    *
    * @param nanoTime the clock, as {@link System#nanoTime}
    * @param ended called with each hold that is over, and the reason; must not block
@@ -78,7 +78,7 @@ final class HoldToRun {
     origin = nanoTime.getAsLong();
   }
 
-  /** Returns the time here in ms, which the next beat must show. */
+  /** Returns the time of the server in ms, which the next beat must contain. */
   private long mark(long now) {
     return (now - origin) / 1_000_000;
   }
@@ -110,7 +110,7 @@ final class HoldToRun {
    * Continues a hold.
    *
    * @param number more than the numbers of the beats before it
-   * @param mark the latest mark that the page has got
+   * @param mark the latest mark that the page received
    * @return the mark for the next beat
    * @throws CommandException if the hold is over
    */

@@ -28,10 +28,10 @@ public final class JogCommands implements AutoCloseable {
   private static final double MAX_STEP = 10;
   private static final double MAX_NUMBER = 1L << 53;
 
-  /** The time after which a robot stands whose hold is over; then its position is written down. */
+  /** The time in which a robot stops after a hold; then its position is logged. */
   private static final long BRAKING_MILLIS = 500;
 
-  /** The last lines may wait for a robot that does not answer. */
+  /** The longest wait for the last lines, if a robot does not answer. */
   private static final long LAST_LINES_MILLIS = 5000;
 
   private final Map<String, RobotJog> jogs = new LinkedHashMap<>();
@@ -74,7 +74,7 @@ public final class JogCommands implements AutoCloseable {
     commands.addQuick("jog-close", Role.JOG, (call, answer) -> leave(of(call), call.viewer()));
   }
 
-  /** Shows the owners to a viewer, whose robots are free when its socket is closed. */
+  /** Shows the owners to a viewer, and frees its robots when its socket is closed. */
   public void show(Viewer viewer) {
     for (RobotJog jog : jogs.values()) {
       viewer.send(key(jog.robot().name()), jog.event());
@@ -190,7 +190,7 @@ public final class JogCommands implements AutoCloseable {
     }
   }
 
-  /** Writes a line when the robot stands. */
+  /** Writes a line to the audit log when the robot has stopped. */
   private void write(JogSession session, String name, String before, String reason) {
     Future<?> unused =
         writer.schedule(

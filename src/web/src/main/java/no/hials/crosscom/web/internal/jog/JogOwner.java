@@ -8,10 +8,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Decides which page may jog a robot: one at a time. Another page asks its owner, who answers
- * within 10 s; no answer is a no. The page of the owner shows that it is there; after 5 s without
- * that, the robot is free.
+ * within 10 s; no answer is a no. The page of the owner shows that it is there; after 5 s without a
+ * sign of it, the robot is free.
  *
- * <p>Not thread-safe, and without threads: what is over is found when it matters.
+ * <p>Not thread-safe. It has no threads: it finds expired owners and questions when it is called.
  */
 final class JogOwner {
   static final Duration ANSWER = Duration.ofSeconds(10);
@@ -41,7 +41,7 @@ final class JogOwner {
     return person.equals(owner);
   }
 
-  /** Notes that a page is there; returns whether it is the owner. */
+  /** Called when a page shows that it is there; returns whether it is the owner. */
   boolean see(Person person) {
     boolean is = isOwner(person);
     if (is) {
@@ -50,7 +50,7 @@ final class JogOwner {
     return is;
   }
 
-  /** Becomes the owner of a robot that nobody has. */
+  /** Makes a page the owner of a robot that nobody has. */
   void take(Person person) throws CommandException {
     expire();
     if (owner != null && !owner.equals(person)) {
@@ -65,7 +65,7 @@ final class JogOwner {
     asker = null;
   }
 
-  /** Asks the owner to hand over; a robot that nobody has is taken. */
+  /** Asks the owner to hand over the robot; takes it if nobody has it. */
   void ask(Person person) throws CommandException {
     expire();
     if (owner == null || person.equals(owner)) {
@@ -98,7 +98,7 @@ final class JogOwner {
   }
 
   /**
-   * Frees the robot for the page that has asked, if any; or withdraws the question.
+   * Frees the robot for the page that asked, if any; or withdraws the question of this page.
    *
    * @return whether there was anything to give up
    */

@@ -26,12 +26,12 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A control loop that a page moves the robot with. It runs from the start of jogging to its end,
- * and stands while nothing is held. The loop reads this input device in each cycle; nothing here
- * blocks it.
+ * A control loop with which a page moves the robot. It runs from the start of jogging to its end,
+ * and keeps the robot still while no button is held. The loop reads this input device in each
+ * cycle; nothing here blocks it.
  *
- * <p>It uses the connection of the page, so that all that reads the robot is in one queue: a
- * reading that takes too long ends the loop, also if another view has caused it.
+ * <p>It uses the connection of the page, so that all readings of the robot are in one queue: a
+ * reading that takes too long ends the loop, even if another view requested it.
  */
 final class JogSession implements InputDevice {
   private static final Logger LOG = LoggerFactory.getLogger(JogSession.class);
@@ -65,7 +65,7 @@ final class JogSession implements InputDevice {
   private List<Press> presses = List.of();
   private final @Nullable JogStep[] steps = new JogStep[HoldToRun.DIRECTIONS];
 
-  /** Called when a hold is over. */
+  /** Receives the ends of holds. */
   interface Jogs {
     /**
      * Called when a hold is over, by any thread; must not block.
@@ -179,7 +179,7 @@ final class JogSession implements InputDevice {
     return space;
   }
 
-  /** Notes that the page is there. */
+  /** Called when the page shows that it is there. */
   void see() {
     seen = System.nanoTime();
   }
@@ -207,7 +207,7 @@ final class JogSession implements InputDevice {
     holds.release(id);
   }
 
-  /** Returns whether the loop waits for the robot, of which nothing is known meanwhile. */
+  /** Returns whether the loop waits for the robot, whose state is unknown meanwhile. */
   boolean isLate() {
     return loop != null && System.nanoTime() - cycled > LATE.toNanos();
   }
@@ -233,7 +233,7 @@ final class JogSession implements InputDevice {
     }
   }
 
-  /** Ends all motion and the loop, and waits until the robot was told to stand. */
+  /** Ends all motion and the loop, and waits until the stop was sent to the robot. */
   void close(String reason) {
     stop(reason);
     ControlLoop running = loop;
@@ -290,7 +290,7 @@ final class JogSession implements InputDevice {
 
   /**
    * Returns the position after a hold, as KRL text; empty if it cannot be read. Waits for the robot
-   * if the loop does not read it any more.
+   * if the loop no longer reads the position.
    */
   String positionAfter() {
     ControlLoop running = loop;

@@ -16,7 +16,7 @@ import no.hials.crosscom.protocol.value.Frame;
  * @param start the state of the robot at the beginning
  */
 record JogStep(DriveSpace space, Press press, State start) {
-  /** The remaining distance that counts as none, mm or degrees. */
+  /** The remaining distance that counts as zero, mm or degrees. */
   static final double TOLERANCE = 0.01;
 
   /**

@@ -46,7 +46,7 @@ final class RobotJog {
     return robot;
   }
 
-  /** Starts a loop for a page that has the robot, or takes it if nobody has it. */
+  /** Starts a loop for a page that has the robot, or that takes it because nobody has it. */
   void open(Call call, JogOwner.Person person, DriveSpace space) throws IOException {
     robot.lock().check(call, "jog the robot");
     JogSession old;
@@ -109,7 +109,7 @@ final class RobotJog {
     changed.run();
   }
 
-  /** Returns the loop of a page, which shows by this that it is there. */
+  /** Returns the loop of a page; the call shows that the page is there. */
   synchronized JogSession of(JogOwner.Person person) throws CommandException {
     if (!see(person)) {
       throw new CommandException("this page does not jog the robot");
@@ -120,7 +120,7 @@ final class RobotJog {
     return session;
   }
 
-  /** Notes that a page is there; returns whether it has the robot. */
+  /** Called when a page shows that it is there; returns whether it has the robot. */
   synchronized boolean see(JogOwner.Person person) {
     boolean is = owner.see(person);
     if (is && session != null) {
@@ -135,7 +135,7 @@ final class RobotJog {
     stopOthers();
   }
 
-  /** Answers for the robot; its motion has ended before another page has it. */
+  /** Answers for the robot; its motion ends before another page gets it. */
   synchronized void answer(JogOwner.Person person, long to, boolean yes) throws CommandException {
     owner.answer(person, to, yes);
     stopOthers();
@@ -154,7 +154,7 @@ final class RobotJog {
     }
   }
 
-  /** Ends the loop and waits until the robot was told to stand. */
+  /** Ends the loop and waits until the stop was sent to the robot. */
   void close() {
     JogSession old;
     synchronized (this) {

@@ -17,12 +17,12 @@ import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Json;
 
-/** Tells pages the geometry of a robot: its arm, where it stands, and what carries it. */
+/** Sends pages the geometry of a robot: its arm, its place, and the linear unit that carries it. */
 public final class ModelCommands {
   private final RobotSessions robots;
   private final ShapeFiles shapes;
 
-  /** The answers of real robots; their machine data do not change while they run. */
+  /** The geometry of real robots, whose machine data do not change while they run. */
   private final Map<RobotSession, RobotGeometry> known = new ConcurrentHashMap<>();
 
   public ModelCommands(RobotSessions robots, ShapeFiles shapes) {

@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * A robot with its place in the world.
  *
  * @param model the arm, with the software limits of the controller where it shows them
- * @param note why this arm was chosen, if it may be another one; empty otherwise
+ * @param note why this arm was chosen, if the choice may be wrong; empty otherwise
  * @param root the foot of the robot in the world, if nothing carries it
  * @param rail the linear unit that carries the robot; null without one
  * @param target the variable with the target of the axes; empty if the controller shows none
@@ -38,7 +38,7 @@ record RobotGeometry(
     RobotModel model, String note, Frame root, @Nullable Rail rail, String target) {
   private static final List<String> NAMES = List.of("$TRAFONAME[]", "$MODEL_NAME[]");
 
-  /** The targets: of the motion under way, and of the project's KRL programs. */
+  /** The targets: of the current motion, and of the project's KRL programs. */
   private static final List<String> TARGETS = List.of("$AXIS_FOR", "JOV_AXIS");
 
   private static final String EXTERNAL_AXES = "$EX_AX_NUM";
@@ -69,7 +69,7 @@ record RobotGeometry(
    */
   record Rail(double minimum, double maximum, Frame from, Frame to) {}
 
-  /** The values that could be read. */
+  /** The values that were read. */
   private record Values(Map<String, KrlValue> values) {
     static Values read(CrossComClient client, List<String> names) throws IOException {
       Map<String, KrlValue> values = new HashMap<>();
@@ -124,7 +124,7 @@ record RobotGeometry(
   }
 
   /**
-   * Asks a controller for its robot.
+   * Reads the geometry of its robot from a controller.
    *
    * @param simulated the arm of a simulated controller; empty for a real one
    */

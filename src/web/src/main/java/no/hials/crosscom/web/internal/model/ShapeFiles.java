@@ -17,13 +17,13 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 
 /**
- * Serves the shapes of the robot's links from a folder, one STL file a link
+ * Serves the shapes of the robot's links from a folder, one STL file per link
  * (docs/reference/robots.md#shapes). Every role may load them.
  */
 public final class ShapeFiles implements Route {
   static final List<String> LINKS = List.of("base", "a1", "a2", "a3", "a4", "a5", "a6", "tool");
 
-  /** A browser reads this much without a noticeable pause. */
+  /** The largest file, which a browser reads without a noticeable pause. */
   static final long MAX_BYTES = 8L * 1024 * 1024;
 
   private static final String SUFFIX = ".stl";

@@ -21,7 +21,7 @@ import no.hials.crosscom.web.internal.socket.Json;
 import no.hials.crosscom.web.internal.socket.Viewer;
 import org.jspecify.annotations.Nullable;
 
-/** Sends the checks of why a robot does not move to the viewers that look at them. */
+/** Sends the checks for why a robot does not move, to the viewers that show them. */
 public final class CheckCommands {
   private static final Duration PERIOD = Duration.ofSeconds(1);
 
@@ -40,7 +40,7 @@ public final class CheckCommands {
   private void look(Call call) throws CommandException {
     RobotSession robot = robots.of(call);
     Viewer viewer = call.viewer();
-    Look look = looks.get(viewer); // the commands of one viewer come one after the other
+    Look look = looks.get(viewer); // the commands of one viewer run in order
     if (look == null) {
       Look added = new Look(viewer);
       looks.put(viewer, added);
@@ -80,7 +80,7 @@ public final class CheckCommands {
       if (subscription != null) {
         subscription.close();
         subscription = null;
-        number++; // for readings that are on their way
+        number++; // so that readings still under way do not count
         values.clear();
       }
     }
@@ -90,7 +90,7 @@ public final class CheckCommands {
         if (own != number) {
           return;
         }
-        // variables that others read more often come apart, and are as old as the others or newer
+        // variables that others read more often arrive separately, and are never older than these
         values.putAll(readings.values());
         if (readings.values().containsKey(MoveChecks.LAST_READ)) {
           viewer.send("checks/" + robot.name(), event(robot, readings));

@@ -13,7 +13,7 @@ import no.hials.crosscom.web.internal.programs.MoveChecks.State;
  * (docs/how-to/use-the-krl-programs.md).
  */
 final class FollowedVariable {
-  /** A target this near, in mm or degrees, is reached. */
+  /** The distance to a target that counts as reached, mm or degrees. */
   private static final double REACHED = 0.01;
 
   private static final List<String> FRAME = List.of("X", "Y", "Z", "A", "B", "C");

@@ -20,8 +20,8 @@ import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
 
 /**
- * Names inputs and outputs, and sets the inputs of simulated robots. Outputs are written as other
- * variables are.
+ * Names inputs and outputs, and sets the inputs of simulated robots. Outputs are written like other
+ * variables.
  */
 public final class InputOutputCommands {
   private static final List<String> ARRAYS = List.of("$IN", "$OUT", "$ANIN", "$ANOUT");
@@ -70,7 +70,9 @@ public final class InputOutputCommands {
         .orElse(0);
   }
 
-  /** Sets a digital or analog input, which a controller takes from its bus and a simulated has. */
+  /**
+   * Sets a digital or analog input of a simulated robot; a real controller reads them from a bus.
+   */
   private void setInput(Call call) throws IOException {
     RobotSession robot = robots.of(call);
     boolean analog = call.flag("analog");

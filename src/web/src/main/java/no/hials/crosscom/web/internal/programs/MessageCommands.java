@@ -19,8 +19,8 @@ import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
 
 /**
- * Shows and confirms messages. No server sends the texts of messages or takes answers to dialogues:
- * that is only for simulated robots.
+ * Shows and confirms messages. Only simulated robots send the texts of messages and accept answers
+ * to dialogues; no server does.
  */
 public final class MessageCommands {
   private static final int MAX_MESSAGES = 50;
@@ -41,7 +41,7 @@ public final class MessageCommands {
     commands.add("answer", Role.OPERATE, (call, answer) -> answer(call));
   }
 
-  /** Answers with the last messages, the newest first, and the dialogue that waits. */
+  /** Answers with the last messages, the newest first, and the open dialogue. */
   private void show(Call call, ObjectNode answer) throws CommandException {
     Optional<Controller> simulated = robots.of(call).simulation().map(MockServer::controller);
     answer.put("known", simulated.isPresent());
@@ -103,7 +103,7 @@ public final class MessageCommands {
                           new CommandException(
                               "no server takes answers to dialogues: answer on the pendant"))
                   .controller();
-          // the program may show another one by now
+          // the program may show another dialogue by now
           if (controller.dialogue().filter(it -> it.text().equals(question)).isEmpty()) {
             throw new CommandException("this dialogue is no longer shown");
           }

@@ -12,12 +12,12 @@ import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds out from variables why a robot does not move. The facts are those of
+ * Finds out from variables why a robot does not move. The facts are from
  * docs/reference/system-variables.md#modes-and-programs and
- * docs/reference/krl-language.md#starting-a-program; an advice without a source says "assumed".
+ * docs/reference/krl-language.md#starting-a-program; advice without a source says "assumed".
  */
 final class MoveChecks {
-  /** The variables to read. Few controllers have those without {@code $}. */
+  /** The variables to read. Few controllers have the variables without {@code $}. */
   static final List<String> VARIABLES =
       List.of(
           "$MODE_OP",
@@ -48,12 +48,12 @@ final class MoveChecks {
           "JOV_AXIS",
           "JOV_COMMAND");
 
-  /** A variable that nobody else reads often: with it all of them are read. */
+  /** A variable that no other view reads often: when it is read, all of them are. */
   static final String LAST_READ = "$ROB_CAL";
 
   private static final int AXES = 6;
 
-  /** An axis this near to its limit, in degrees, is at it. */
+  /** The distance in degrees within which an axis is at its limit. */
   private static final double AT_LIMIT = 0.05;
 
   private static final Set<String> MANUAL = Set.of("#T1", "#T2");
@@ -90,7 +90,7 @@ final class MoveChecks {
   /**
    * Returns the checks in the order of the causes: the first problem has to be solved first.
    *
-   * @param values the results of reading {@link #VARIABLES}; those that are missing are unknown
+   * @param values the results of reading {@link #VARIABLES}; a missing variable is unknown
    */
   static List<Check> of(Map<String, ReadOutcome> values) {
     MoveChecks all = new MoveChecks(values);

@@ -57,7 +57,7 @@ public final class PageProgramCommands {
     commands.add("program-text", Role.VIEW, this::text);
     commands.add("program-select", Role.OPERATE, (call, answer) -> select(call));
     commands.add("program-order", Role.OPERATE, (call, answer) -> order(call));
-    // waits for the controller, but not after other commands of its viewer
+    // waits for the controller, but not for earlier commands of its viewer
     commands.addQuick("program-stop", Role.OPERATE, (call, answer) -> stop(call));
     commands.add("upload-check", Role.OPERATE, this::checkUpload);
     commands.add("upload", Role.OPERATE, this::upload);
@@ -205,7 +205,7 @@ public final class PageProgramCommands {
         path,
         programs -> {
           String name = RemoteName.withoutEnding(krcName(robot.client().files(), path));
-          robot.lock().check(call, "select " + path); // somebody may have locked it meanwhile
+          robot.lock().check(call, "select " + path); // it may have been locked meanwhile
           programs.select(name);
         },
         "the program has errors, or another one is active");

@@ -27,7 +27,7 @@ import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Json;
 import no.hials.crosscom.web.internal.socket.Sockets;
 
-/** Starts, stops, lists and deletes recordings, and returns the units of what charts show. */
+/** Starts, stops, lists and deletes recordings, and returns the units for charts. */
 public final class RecordingCommands implements AutoCloseable {
   private static final int MAX_RUNNING = 4;
   private static final int MAX_NAMES = 100;
@@ -108,7 +108,7 @@ public final class RecordingCommands implements AutoCloseable {
       running.put(started.file(), started);
     }
     if (started.isEnded()) {
-      changed(started); // before it was in the map
+      changed(started); // it may have changed before it was in the map
     }
     log(call, robot.name(), "record", started.file());
     answer.put("file", started.file());
@@ -164,7 +164,7 @@ public final class RecordingCommands implements AutoCloseable {
     }
   }
 
-  /** Tells pages the state of a recording, and forgets it after its end. */
+  /** Sends pages the state of a recording, and forgets the recording after its end. */
   private void changed(RecordingInProgress recording) {
     boolean ended = recording.isEnded();
     if (ended) {

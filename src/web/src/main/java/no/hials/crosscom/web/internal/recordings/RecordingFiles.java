@@ -25,13 +25,13 @@ import org.eclipse.jetty.server.Response;
 import org.eclipse.jetty.util.Callback;
 
 /**
- * The files in the folder {@code recordings}. Every role may download them: {@code NAME.csv} as it
- * is, {@code NAME.csv/columns} as numbers, see {@link ReplayColumns}.
+ * The files in the folder {@code recordings}. Every role may download them: {@code NAME.csv} is the
+ * file, {@code NAME.csv/columns} its numbers, see {@link ReplayColumns}.
  */
 final class RecordingFiles implements Route {
   static final int MAX_FILES = 500;
 
-  /** A larger one can be downloaded; as numbers it would fill the memory of a browser. */
+  /** A larger file can only be downloaded: its numbers would fill the memory of a browser. */
   static final long MAX_BYTES_TO_REPLAY = 16L * 1024 * 1024;
 
   static final String CSV = ".csv";
@@ -40,11 +40,11 @@ final class RecordingFiles implements Route {
   private static final String COLUMNS = "/columns";
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,59}");
 
-  /** Windows opens devices by these names, in any folder and with any ending. */
+  /** The names by which Windows opens devices, in any folder and with any ending. */
   private static final Pattern DEVICE =
       Pattern.compile("CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9]", Pattern.CASE_INSENSITIVE);
 
-  /** More at a time would fill the memory: each has up to {@link ReplayColumns#MAX_BYTES}. */
+  /** More would fill the memory: each needs up to {@link ReplayColumns#MAX_BYTES}. */
   static final int MAX_OPENING = 8;
 
   private final Path folder;
@@ -97,7 +97,7 @@ final class RecordingFiles implements Route {
    * @param name its name with the ending
    */
   Path file(String name) throws CommandException {
-    // checked before it becomes a path, so that none leads out of the folder
+    // checked before it becomes a path, so that no path leads out of the folder
     int dot = name.lastIndexOf('.');
     String ending = dot < 0 ? "" : name.substring(dot);
     if ((ending.equals(CSV) || ending.equals(JSON_LINES)) && isAllowed(name.substring(0, dot))) {
@@ -155,7 +155,7 @@ final class RecordingFiles implements Route {
   }
 
   /**
-   * Answers with the numbers, in a thread of its own: the threads of the server are for those who
+   * Answers with the numbers, in its own thread: the threads of the server stay free for those who
    * want to stop a robot.
    */
   private boolean columns(Path file, Response response, Callback callback) throws IOException {
@@ -183,11 +183,11 @@ final class RecordingFiles implements Route {
   private void answer(Path file, Response response, Callback done) {
     ByteBuffer content;
     try {
-      synchronized (reading) { // one after the other, since that takes some memory
+      synchronized (reading) { // one at a time, since reading needs much memory
         content = ReplayColumns.read(file).bytes();
       }
     } catch (IOException e) {
-      // viewers need not know where the folder is
+      // viewers need not know the path of the folder
       String name = file.getFileName().toString();
       String reason = String.valueOf(e.getMessage()).replace(file.toString(), name);
       boolean unused =

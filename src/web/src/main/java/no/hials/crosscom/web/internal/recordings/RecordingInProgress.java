@@ -25,13 +25,13 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * A recording that is being written, in a thread of its own. It goes on without any page, until it
- * is stopped or too long. Thread-safe.
+ * A recording that is being written, in its own thread. It continues without any page, until it is
+ * stopped or too long. Thread-safe.
  */
 final class RecordingInProgress implements Sampling.Listener {
   private static final Logger LOG = LoggerFactory.getLogger(RecordingInProgress.class);
 
-  /** Some hours of 20 values at 50 Hz. */
+  /** The longest recording: some hours of 20 values at 50 Hz. */
   static final long MAX_CHARACTERS = 256L * 1024 * 1024;
 
   private static final long STATE_NANOS = 500_000_000;
@@ -141,7 +141,7 @@ final class RecordingInProgress implements Sampling.Listener {
     }
   }
 
-  /** Returns whether nothing is written any more. */
+  /** Returns whether the recording has ended. */
   boolean isEnded() {
     return ended.getCount() == 0;
   }
@@ -204,7 +204,7 @@ final class RecordingInProgress implements Sampling.Listener {
     return true;
   }
 
-  /** Counts what is written. */
+  /** Counts the characters that are written. */
   private final class Limited implements Recording.RecordingOutput {
     private final Recording.RecordingOutput output;
 

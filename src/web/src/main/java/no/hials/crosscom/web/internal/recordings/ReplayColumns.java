@@ -161,7 +161,7 @@ final class ReplayColumns {
       return result;
     }
 
-    /** Adds the numbers of a value, by the names that the columns of CSV have. */
+    /** Adds the numbers of a value, by the names of the columns in CSV. */
     private void addLeaves(String name, JsonNode value) throws CommandException {
       if (value.isObject()) {
         for (Map.Entry<String, JsonNode> field : value.properties()) {

@@ -1,4 +1,4 @@
-/** Recordings on the computer of the server: they are made, listed, downloaded and replayed. */
+/** Makes, lists, downloads and replays recordings on the computer of the server. */
 @NullMarked
 package no.hials.crosscom.web.internal.recordings;
 

@@ -9,7 +9,7 @@ import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
 
-/** Makes changes, each with a line in the audit log. A change is never repeated. */
+/** Makes changes, and adds a line to the audit log for each. Never repeats a change. */
 public final class Changes {
   private final AuditLog audit;
 
@@ -23,7 +23,7 @@ public final class Changes {
     void make() throws IOException;
   }
 
-  /** Does the same, and passes on the old value before the change. */
+  /** Makes a change that is allowed, and passes on the old value before it. */
   @FunctionalInterface
   public interface Replacement {
     void make(Consumer<String> oldValue) throws IOException;
@@ -60,7 +60,7 @@ public final class Changes {
     } catch (IOException | IllegalArgumentException e) {
       result = String.valueOf(e.getMessage());
       throw e;
-    } catch (IllegalStateException e) { // of the simulated controller
+    } catch (IllegalStateException e) { // from the simulated controller
       result = String.valueOf(e.getMessage());
       throw new CommandException(result);
     } finally {

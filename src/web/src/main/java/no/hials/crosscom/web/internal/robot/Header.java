@@ -19,12 +19,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The state of a robot that is always visible: connection, mode, programs, override, stop and lock.
- * It is read while somebody looks. Thread-safe.
+ * It is read while a viewer shows it. Thread-safe.
  */
 final class Header {
   private static final Duration PERIOD = Duration.ofMillis(250);
 
-  /** The fields of the event by the variables. */
+  /** The fields of the event, by the names of the variables. */
   private static final Map<String, String> FIELDS =
       Map.of(
           "$MODE_OP", "mode",
@@ -44,8 +44,8 @@ final class Header {
   private @Nullable Readings last;
 
   /**
-   * The last result of each variable. A reading may have some of them only, since others are read
-   * at another period if a viewer needs them more often.
+   * The last result of each variable. A reading may have only some of them, since a variable that a
+   * viewer needs more often is read at another period.
    */
   private final Map<String, ReadOutcome> values = new HashMap<>();
 
@@ -99,7 +99,7 @@ final class Header {
     }
     synchronized (this) {
       if (readings.isMissed()) {
-        // a later one only counts down to the next attempt
+        // later events only count down to the next attempt
         setLost(reason.isEmpty() ? readings.values().values().iterator().next().error() : reason);
       } else {
         last = readings;
@@ -162,7 +162,7 @@ final class Header {
 
   private static void put(ObjectNode event, @Nullable String field, ReadOutcome reading) {
     KrlValue value = reading.value();
-    // what the controller does not know is null, which the page shows as unknown
+    // a value that the controller does not know is null, which the page shows as unknown
     event.put(
         field, value == null ? null : new Leaf(field == null ? "" : field, value).text().strip());
   }

@@ -34,12 +34,12 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Reads what all viewers of a robot watch, each variable once and at the shortest period that a
- * viewer asks for. Several fields of one structure are read by the structure. Thread-safe.
+ * viewer asks for. Several fields of one structure are read as the whole structure. Thread-safe.
  */
 public final class Hub implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Hub.class);
 
-  /** The periods of readings in ms; another one becomes the next shorter one. */
+  /** The periods of readings in ms. Other periods are shortened to one of these. */
   private static final List<Integer> PERIODS =
       List.of(10, 20, 50, 100, 200, 250, 500, 1000, 2000, 5000, 10_000);
 
@@ -63,7 +63,7 @@ public final class Hub implements AutoCloseable {
    *
    * @param names the variables, in any case
    * @param period the time from one reading to the next
-   * @param listener called with the readings; variables with different periods come apart
+   * @param listener called with the readings; variables with different periods arrive separately
    */
   public Subscription subscribe(List<String> names, Duration period, Consumer<Readings> listener) {
     Subscription added = new Subscription(names, period, listener);
@@ -107,14 +107,14 @@ public final class Hub implements AutoCloseable {
       }
     }
 
-    /** Returns whether a sample of a poll is due, and notes that it is passed on. */
+    /** Returns whether a sample of a poll is due, and if so records that it is passed on. */
     private boolean takes(Poll poll) {
       if (paused) {
         return false;
       }
       long now = System.nanoTime();
       Long last = before.get(poll.period);
-      // half a period of the poll early is as near as it gets
+      // the readings are one period of the poll apart, so the nearest may be half a period early
       boolean due = last == null || now - last >= (period - poll.period / 2.0) * 1e6;
       if (due) {
         before.put(poll.period, now);
@@ -123,7 +123,7 @@ public final class Hub implements AutoCloseable {
     }
   }
 
-  /** Returns a name as the hub uses it: KRL does not tell cases apart. */
+  /** Returns a name as the hub uses it, since KRL ignores case. */
   public static String key(String name) {
     return name.strip().toUpperCase(Locale.ROOT);
   }
@@ -246,8 +246,8 @@ public final class Hub implements AutoCloseable {
     }
 
     /**
-     * Reads the fields one by one if the controller refuses their structure, of which nobody asked
-     * for the whole. Returns whether there was such a structure.
+     * Makes the hub read the fields one by one if the controller refuses their structure and nobody
+     * asked for the whole. Returns whether there was such a structure.
      */
     private boolean forgetIndivisible(Sample sample) {
       boolean found = false;
@@ -290,7 +290,7 @@ public final class Hub implements AutoCloseable {
         reading.status() == ReadingStatus.MISSED);
   }
 
-  /** Returns the result of a field within that of its structure. */
+  /** Returns the result of a field from that of its structure. */
   private static ReadOutcome field(ReadOutcome structure, String path) {
     if (structure.value() == null) {
       return structure;

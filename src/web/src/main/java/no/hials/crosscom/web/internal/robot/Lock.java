@@ -10,7 +10,7 @@ import no.hials.crosscom.web.internal.socket.Json;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The lock of a robot: nothing is changed on it until somebody unlocks it on the page. Thread-safe.
+ * The lock of a robot, which refuses changes until somebody unlocks it on the page. Thread-safe.
  */
 public final class Lock {
   private final RobotConnection connection;
@@ -69,7 +69,7 @@ public final class Lock {
         .put("read_only_by", readOnlyBy);
   }
 
-  /** Asks nobody. */
+  /** Confirms without asking. */
   private static final class NoQuestions implements WritePermission.Confirmation {
     @Override
     public boolean isInteractive() {

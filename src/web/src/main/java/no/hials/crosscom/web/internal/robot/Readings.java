@@ -24,7 +24,7 @@ public final class Readings {
    *
    * @param value the value; null after an error
    * @param error why there is no value; empty if there is one
-   * @param missed whether nothing could be read, as without a connection
+   * @param missed whether the whole reading failed, as without a connection
    */
   public record ReadOutcome(@Nullable KrlValue value, String error, boolean missed) {}
 

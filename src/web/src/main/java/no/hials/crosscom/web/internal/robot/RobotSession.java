@@ -19,8 +19,8 @@ import org.slf4j.LoggerFactory;
 /**
  * A robot of the page, with the only connection to its controller.
  *
- * <p>It reconnects automatically. What only a simulated controller can do is behind {@link
- * #simulation}, which is empty for other controllers.
+ * <p>It reconnects automatically. {@link #simulation} has the functions of a simulated controller,
+ * and is empty for other controllers.
  */
 public final class RobotSession implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(RobotSession.class);
@@ -34,7 +34,7 @@ public final class RobotSession implements AutoCloseable {
   private final List<Sampling> samplings = new CopyOnWriteArrayList<>();
   private volatile @Nullable Server server;
 
-  /** Receives events from the first attempt to connect on, before the session exists. */
+  /** Receives events from the first attempt to connect, before the session exists. */
   private static final class Events {
     private @Nullable RobotSession session;
 
@@ -77,7 +77,7 @@ public final class RobotSession implements AutoCloseable {
     return name;
   }
 
-  /** Returns the client; all of the page uses this one. */
+  /** Returns the client, which the whole page uses. */
   public CrossComClient client() {
     return connection.client();
   }
@@ -88,7 +88,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
-   * Samples variables through the connection, apart from what viewers watch, until {@link
+   * Samples variables over the connection, independently of what viewers watch, until {@link
    * #endSampling}.
    */
   public Sampling sample(Sampling.SamplingPlan plan) {
@@ -97,7 +97,7 @@ public final class RobotSession implements AutoCloseable {
     return sampling;
   }
 
-  /** Ends what {@link #sample} began; the connection stays open. */
+  /** Ends a sampling that {@link #sample} started; the connection stays open. */
   public void endSampling(Sampling sampling) throws IOException {
     samplings.remove(sampling);
     sampling.close();
@@ -123,7 +123,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   /**
-   * Returns whether the server is C3 Bridge, which has files and programs; asks it if necessary.
+   * Returns whether the server is C3 Bridge, which has files and programs. Asks it if necessary.
    */
   public boolean isBridge() throws IOException {
     return client().getServer().type() == ServerType.C3_BRIDGE;

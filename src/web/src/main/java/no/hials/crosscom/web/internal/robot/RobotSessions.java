@@ -60,7 +60,7 @@ public final class RobotSessions implements AutoCloseable {
     return session;
   }
 
-  /** The lists that one viewer watches, by the robot and its own name of the list. */
+  /** The lists that one viewer watches, by the robot and the name that the viewer gave the list. */
   private static final class Lists {
     private final Map<String, Hub.Subscription> subscriptions = new HashMap<>();
     private boolean hidden;
@@ -89,7 +89,7 @@ public final class RobotSessions implements AutoCloseable {
                   names,
                   period,
                   readings ->
-                      // readings of other periods are of other variables: they do not replace these
+                      // readings of other periods have other variables: they do not replace these
                       viewer.sendText(
                           key + readings.values().keySet(), head + readings.json() + "}"));
       if (hidden) {

@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A command of a page. What the fields hold comes from a browser and may be anything.
+ * A command of a page. The fields come from a browser and may contain anything.
  *
  * @param viewer the sender
  * @param message the message, an object
@@ -17,8 +17,8 @@ public record Call(Viewer viewer, JsonNode message) {
   private static final int MAX_CHARACTERS = 4096;
 
   /**
-   * A clock time that is older, in ms, is too old. A page gives up later: 4 s after the last answer
-   * (see socket.js).
+   * The age in ms from which a clock time is too old. A page gives up later: 4 s after the last
+   * answer (see socket.js).
    */
   private static final long MAX_AGE = 3500;
 
@@ -30,7 +30,7 @@ public record Call(Viewer viewer, JsonNode message) {
   }
 
   /**
-   * Checks that the page has heard from this server shortly before it sent the command.
+   * Checks that the page received an answer of this server shortly before it sent the command.
    *
    * @throws CommandException if the command has no clock time, or an old one
    */

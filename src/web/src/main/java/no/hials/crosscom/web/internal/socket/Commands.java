@@ -13,10 +13,9 @@ import org.slf4j.LoggerFactory;
 /**
  * The commands of pages by their names. Handlers are added before the first socket is open.
  *
- * <p>Each answer has the time of the clock here. A command that changes something has the latest
- * time that its page has got, and is not run if that is too old: a command that was held back in
- * the network, or by a server that stood still, must not come into effect after its page has given
- * up.
+ * <p>Each answer contains the time of the server. A command that changes something contains the
+ * latest time that its page received, and does not run if that time is too old: a command that was
+ * delayed by the network or by a frozen server must not run after its page has given up.
  */
 public final class Commands {
   private static final Logger LOG = LoggerFactory.getLogger(Commands.class);
@@ -24,24 +23,24 @@ public final class Commands {
   private final Map<String, Entry> entries = new ConcurrentHashMap<>();
 
   /**
-   * A command with what it needs.
+   * A command and its requirements.
    *
    * @param role the role that may call it
-   * @param quick whether it never waits, and so needs no thread of its own
+   * @param quick whether it never waits, and so needs no own thread
    */
   private record Entry(Role role, boolean quick, Command command) {}
 
   /**
-   * Adds a command that may wait for a robot or a file. One viewer's commands run in order. For
-   * more than {@link Role#VIEW} it changes something, and needs a time that is not too old.
+   * Adds a command that may wait for a robot or a file. One viewer's commands run in order. A
+   * command for a higher role than {@link Role#VIEW} changes something, and needs a recent time.
    */
   public void add(String name, Role role, Command command) {
     put(name, new Entry(role, false, command));
   }
 
   /**
-   * Adds a command that never waits. It runs at once, even while others of the viewer wait, and
-   * however old it is.
+   * Adds a command that never waits. It runs at once, even while other commands of the viewer wait,
+   * and however old it is.
    */
   public void addQuick(String name, Role role, Command command) {
     put(name, new Entry(role, true, command));

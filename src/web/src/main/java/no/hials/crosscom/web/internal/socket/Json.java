@@ -35,7 +35,7 @@ public final class Json {
     return JsonNodeFactory.instance.objectNode();
   }
 
-  /** Returns an event with no more fields yet. */
+  /** Returns an event without further fields. */
   public static ObjectNode event(String name) {
     return object().put("event", name);
   }

@@ -8,12 +8,12 @@ import java.util.Queue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages that wait to be sent to a viewer. Answers stay in their order; of events of one kind
- * only the newest waits, so that a slow viewer sees the newest state and costs no memory.
+ * The messages that wait to be sent to a viewer. Answers stay in their order. Of the events with
+ * one key only the newest waits, so that a slow viewer sees the newest state and needs no memory.
  * Thread-safe.
  */
 final class Outbox {
-  /** The page waits for answers before it asks for more; a queue this long has another cause. */
+  /** A page waits for answers before it sends more, so a longer queue is not normal. */
   private static final int MAX_ANSWERS = 256;
 
   private final Queue<String> answers = new ArrayDeque<>();
@@ -25,7 +25,7 @@ final class Outbox {
     return answers.size() < MAX_ANSWERS && answers.add(text);
   }
 
-  /** Adds an event, which replaces the one of the same key that still waits. */
+  /** Adds an event, which replaces a waiting event with the same key. */
   synchronized void putEvent(String key, String text) {
     events.put(key, text);
   }
@@ -48,7 +48,7 @@ final class Outbox {
     return text;
   }
 
-  /** Notes that a text is sent. */
+  /** Called when a text has been sent. */
   synchronized void sent() {
     sending = false;
   }

@@ -1,6 +1,6 @@
 package no.hials.crosscom.web.internal.socket;
 
-/** Counts messages or other things: a number each second, and some more in a burst. */
+/** Limits messages or other things to a number per second, and more in a burst. */
 public final class RateLimit {
   private final double perSecond;
   private final double most;
@@ -10,7 +10,7 @@ public final class RateLimit {
   /**
    * Creates a limit.
    *
-   * @param most the number in a burst
+   * @param most the maximum number in a burst
    */
   public RateLimit(double perSecond, double most) {
     this.perSecond = perSecond;
@@ -18,7 +18,7 @@ public final class RateLimit {
     left = most;
   }
 
-  /** Counts one more; returns false if it is one too many. Called by one thread at a time. */
+  /** Counts one more; returns false if the limit is exceeded. Call from one thread at a time. */
   public boolean take() {
     long now = System.nanoTime();
     left = Math.min(most, left + (now - before) / 1e9 * perSecond);

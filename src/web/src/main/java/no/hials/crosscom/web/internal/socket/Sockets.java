@@ -23,14 +23,14 @@ import org.eclipse.jetty.util.Callback;
 import org.eclipse.jetty.util.Fields;
 import org.eclipse.jetty.websocket.server.ServerWebSocketContainer;
 
-/** Opens the sockets of pages, and knows the open ones. */
+/** Opens the sockets of pages, and keeps track of the open sockets. */
 public final class Sockets implements Route, AutoCloseable {
-  /** The largest message of a page: a program of the robot fits in. */
+  /** The largest message of a page, large enough for a program of the robot. */
   static final int MAX_CHARACTERS = 256 * 1024;
 
   private static final int MAX_SOCKETS = 256;
 
-  /** The page sends a message every few seconds, also if it is hidden. */
+  /** A page sends a message every few seconds, even if it is hidden. */
   private static final Duration MAX_SILENCE = Duration.ofMinutes(2);
 
   private final ServerWebSocketContainer container;
@@ -56,7 +56,7 @@ public final class Sockets implements Route, AutoCloseable {
             });
   }
 
-  /** Calls something with each viewer whose socket has been opened. */
+  /** Adds a task that is called with each viewer whose socket opens. */
   public void atOpen(Consumer<Viewer> task) {
     atOpen.add(task);
   }
@@ -104,7 +104,7 @@ public final class Sockets implements Route, AutoCloseable {
     Optional<String> page =
         Optional.ofNullable(Request.extractQueryParameters(request).get("page"))
             .map(Fields.Field::getValue);
-    // a page of another site cannot read the token, and cannot hide where it is from
+    // a page of another site cannot read the token, and cannot forge its origin
     if (!rest.isEmpty()
         || !HostCheck.isOurOrigin(request)
         || page.filter(browser::hasPage).isEmpty()) {

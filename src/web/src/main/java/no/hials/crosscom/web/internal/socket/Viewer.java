@@ -51,7 +51,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     this.sockets = sockets;
   }
 
-  /** Returns a number that no other page has. */
+  /** Returns a unique number of the page. */
   public long id() {
     return id;
   }
@@ -71,7 +71,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     return browser.role();
   }
 
-  /** Runs something when the socket is closed, at once if it is closed already. */
+  /** Runs a task when the socket is closed; at once if it is closed already. */
   public void atClose(Runnable task) {
     atClose.add(task);
     if (closed && atClose.remove(task)) {
@@ -82,13 +82,13 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   /**
    * Sends an event. An event with the same key that still waits is dropped.
    *
-   * @param key the kind of the event and what it is about, such as {@code header/mock}
+   * @param key the kind of the event and its subject, such as {@code header/mock}
    */
   public void send(String key, ObjectNode event) {
     sendText(key, event.toString());
   }
 
-  /** Sends an event that is printed already, as {@link #send}. */
+  /** Sends an event that is already text, as {@link #send}. */
   public void sendText(String key, String event) {
     outbox.putEvent(key, event);
     flush();
@@ -118,7 +118,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     flush();
   }
 
-  /** Ends the connection at once, whether the page reads its close or not. */
+  /** Closes the connection at once, without waiting for the page. */
   void end(String reason) {
     leave();
     Session open = session;
@@ -128,7 +128,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     }
   }
 
-  /** Drops what the page has sent and follows; a second call does nothing. */
+  /** Marks the viewer as closed and runs its closing tasks; a second call does nothing. */
   private void leave() {
     closed = true;
     sockets.remove(this);
@@ -147,7 +147,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
       end("too many pages are open");
       return;
     }
-    if (!browser.isIn()) { // since it was checked at the request
+    if (!browser.isIn()) { // it may have been sent away since the request was checked
       end("sent away");
       return;
     }
@@ -208,7 +208,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     reply(error(message.get("id"), "too many commands wait"));
   }
 
-  /** Runs the commands that wait, one after the other. */
+  /** Runs the waiting commands, one after the other. */
   private void work() {
     while (true) {
       JsonNode next;
@@ -223,7 +223,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     }
   }
 
-  /** The close follows; a browser that is gone is nothing to act on. */
+  /** Does nothing: a close follows, and a browser that is gone needs no action. */
   @Override
   public void onWebSocketError(Throwable cause) {
     LOG.debug("the socket of {} failed", name(), cause);

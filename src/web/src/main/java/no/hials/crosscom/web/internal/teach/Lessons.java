@@ -139,7 +139,7 @@ final class Lessons {
       visitChildren(node); // the description of the picture
     }
 
-    /** Only links to lessons stay links: the page has none to other places. */
+    /** Keeps only links to lessons, since the page has no links to other places. */
     @Override
     public void visit(Link node) {
       Matcher lesson = LINK.matcher(node.getDestination());

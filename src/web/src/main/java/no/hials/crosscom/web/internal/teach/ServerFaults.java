@@ -17,8 +17,8 @@ final class ServerFaults {
   /**
    * The faults.
    *
-   * @param latencyMillis each answer is this much later
-   * @param lostPercent how many requests are executed and never answered
+   * @param latencyMillis the delay of each answer
+   * @param lostPercent the percentage of requests that are executed and never answered
    * @param silent whether no request is executed or answered
    */
   record Settings(int latencyMillis, int lostPercent, boolean silent) {

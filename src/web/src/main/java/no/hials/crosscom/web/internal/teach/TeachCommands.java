@@ -25,8 +25,8 @@ import no.hials.crosscom.web.internal.socket.Sockets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Changes a simulated robot as a person at its cabinet does, and its server as a bad network does;
- * shows the lessons of the tutorial.
+ * Changes a simulated robot like a person at its cabinet, and its server like a bad network. Shows
+ * the lessons of the tutorial.
  */
 public final class TeachCommands {
   private static final int MAX_LATENCY_MILLIS = 5000;
@@ -45,7 +45,7 @@ public final class TeachCommands {
     this.changes = new Changes(audit);
   }
 
-  /** A simulated robot with what the teacher has done to it. */
+  /** A simulated robot and the changes of the teacher. */
   private static final class Bench {
     final Controller controller;
     final ServerFaults faults;
@@ -65,7 +65,7 @@ public final class TeachCommands {
     }
   }
 
-  /** Changes something. */
+  /** Makes a change. */
   @FunctionalInterface
   private interface Change {
     void apply(Bench bench) throws IOException;
@@ -105,7 +105,7 @@ public final class TeachCommands {
     }
   }
 
-  /** Makes a change that is allowed, shows it to all, and writes it into the audit log. */
+  /** Makes an allowed change, sends it to all pages, and adds it to the audit log. */
   private void change(Call call, String name, String value, Change change) throws IOException {
     Bench bench = bench(call);
     RobotSession robot = robots.of(call);

@@ -9,8 +9,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * The variables of a robot that the page can name: those of every controller, and those that the
- * data lists on this controller declare, which only C3 Bridge can read. Thread-safe.
+ * The variables of a robot that the page knows: those of every controller, and those declared in
+ * the data lists on this controller, which only C3 Bridge can read. Thread-safe.
  */
 final class KnownNames {
   private static final Logger LOG = LoggerFactory.getLogger(KnownNames.class);

@@ -50,7 +50,7 @@ public final class VariableCommands {
     commands.add("write", Role.OPERATE, this::write);
   }
 
-  /** Prepares the search, which takes some 100 ms, in the background. */
+  /** Prepares the search in the background, for some 100 ms. */
   public void preload() {
     robots.all().forEach(robot -> names(robot).load());
   }
@@ -126,7 +126,7 @@ public final class VariableCommands {
             });
   }
 
-  /** Returns the values that a type allows, for people; empty if its constants say it. */
+  /** Returns the range of a type, for people; empty if its constants show it. */
   private static String range(CatalogueEntry entry) {
     if (entry.isText()) {
       return "text of at most " + entry.dimensions().get(0) + " characters";
@@ -157,7 +157,7 @@ public final class VariableCommands {
     robot.client().checkText(name, value);
   }
 
-  /** Returns the value for the audit log; empty if the controller does not let it be read. */
+  /** Returns the value for the audit log; empty if the controller refuses to read it. */
   private static String valueBefore(RobotSession robot, String name) throws IOException {
     try {
       return robot.client().readText(name);
@@ -182,11 +182,11 @@ public final class VariableCommands {
             checkValue(robot, name, value);
             robot.lock().check(call, "write " + name);
             oldValue.accept(valueBefore(robot, name));
-            robot.lock().check(call, "write " + name); // somebody may have locked it meanwhile
+            robot.lock().check(call, "write " + name); // it may have been locked meanwhile
             WriteAnswer.check(name, value, robot.client().writeText(name, value));
           } catch (CrossComException e) {
             if (e.isOutcomeUnknown() || e instanceof CrossComValueException) {
-              throw e; // its message tells what is known
+              throw e; // its message describes the outcome
             }
             throw new CommandException(e.getMessage() + "; nothing was written");
           }

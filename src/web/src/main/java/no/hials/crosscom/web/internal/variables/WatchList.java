@@ -10,8 +10,8 @@ import no.hials.crosscom.web.internal.socket.CommandException;
 /**
  * Variables that are watched together.
  *
- * <p>As a text it has one name on each line, as the lists of JOpenShowVar 0.2.2 have. A line that
- * begins with {@code #} is a comment; {@code # period 250 ms} sets the period.
+ * <p>Its text has one name per line, like the lists of JOpenShowVar 0.2.2. A line that begins with
+ * {@code #} is a comment; {@code # period 250 ms} sets the period.
  *
  * @param periodMillis the time between two readings, 20 to 60,000 ms
  * @param names the names of the variables, at most 500

@@ -104,7 +104,7 @@ public final class WatchListCommands {
     return folder.resolve(name + ENDING);
   }
 
-  /** Returns the file that has this name but for the case, as lists are told apart without it. */
+  /** Returns the existing file with this name in any case, since the names of lists ignore case. */
   private Path inAnyCase(Path file) throws IOException {
     if (Files.exists(file) || !Files.isDirectory(folder)) {
       return file;

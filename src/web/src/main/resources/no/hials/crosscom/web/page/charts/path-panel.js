@@ -19,7 +19,7 @@ function coordinates(source, leaves, from, to, mark) {
   return { tracks, first, end: rowAt(track, to) + 1, at: rowAt(track, mark ?? to) };
 }
 
-/** Returns the least and the greatest number of some rows; null without one. */
+/** Returns the least and the greatest number of some rows; null without numbers. */
 function extent(values, first, end) {
   let least = Infinity;
   let greatest = -Infinity;
@@ -156,7 +156,7 @@ export class PlanePath {
 
 /** All three coordinates, turned by the mouse, a finger or the arrow keys. */
 export class SpacePath {
-  /** Creates it; the library for 3-D is loaded when it is needed. */
+  /** Creates the panel; the library for 3-D is loaded when needed. */
   static async create(element, leaves) {
     const [three, { OrbitControls }] = await Promise.all([
       import('three'),

@@ -7,7 +7,7 @@ import { slots } from './tracks.js';
 
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
 const MAX_SLOTS = 600;
-const SLOT = 2; // pixels, in which there is the least and the greatest value
+const SLOT = 2; // pixels for the least and the greatest value
 const ZOOM = 1.25;
 
 /** Returns the time of day, with parts of a second if the steps are short. */
@@ -20,7 +20,7 @@ function clock(time, step) {
   return digits === 0 ? seconds : `${seconds}.${part}`;
 }
 
-/** Returns the range of an axis with some room; a constant is in its middle. */
+/** Returns the range of an axis with some margin; a constant is in its middle. */
 export function withRoom(least, greatest) {
   if (least === null || least === undefined) {
     return [0, 1];
@@ -32,7 +32,7 @@ export function withRoom(least, greatest) {
 
 export class TimePanel {
   /**
-   * @param element where it is drawn
+   * @param element the place of the chart
    * @param lines {leaf, colour, dash} of each number
    * @param isLive whether the times are those of a clock, or seconds
    * @param events zoom(from, to), reset(), point(time) with null for none, choose(time)

@@ -34,7 +34,7 @@ class Variable {
     if (this.end > this.first) {
       const last = this.times[this.end - 1];
       if (time <= last) {
-        return; // a reading that came by two ways
+        return; // a reading that arrived twice
       }
       if (time - last > longest) {
         this.next(last + 1e-3);
@@ -107,7 +107,7 @@ export class Tracks {
   /** The time of the last reading. */
   latest = 0;
 
-  /** Whether nothing is added any more. */
+  /** Whether no more readings are added. */
   isFixed = false;
 
   /** Adds an event of `watch`; one without values is a gap. */
@@ -189,7 +189,7 @@ export function valueAt(track, time) {
 /**
  * Returns the points that a chart draws of tracks between two times: an array of times, and one of each track
  * with null for a gap and undefined between readings. Many readings in one of the slots become
- * their least and greatest one.
+ * the least and the greatest of them.
  */
 export function slots(tracks, from, to, count) {
   const width = (to - from) / count;

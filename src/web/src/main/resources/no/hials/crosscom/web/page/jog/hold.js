@@ -6,7 +6,7 @@ import { changed, note, state } from '../state.js';
 
 const BEAT_PERIOD = 50; // ms
 
-/** Without an answer for so long, the server has ended the hold. */
+/** The time without an answer after which the server has ended the hold. */
 const MAX_SILENCE = 300; // ms
 
 /** The buttons that are held, by their directions, 0 to 5. */
@@ -21,7 +21,7 @@ export function held() {
 /**
  * Holds a button.
  *
- * @param source what holds it: 'touch', 'pen', 'mouse' or 'key'
+ * @param source the device that holds the button: 'touch', 'pen', 'mouse' or 'key'
  * @param fields direction, positive, percent and step
  */
 export function press(source, fields) {
@@ -47,7 +47,7 @@ function isHeld(one) {
   return holds.get(one.fields.direction) === one;
 }
 
-/** A beat shows the newest time of the server, by which the server knows how old the beat is. */
+/** Sends a beat with the newest time of the server, which tells the server its age. */
 function beat(one) {
   if (performance.now() - one.answered > MAX_SILENCE) {
     note('error', `the server has not answered for ${MAX_SILENCE} ms: release, and press again`);
@@ -102,5 +102,5 @@ export function releaseAll(isOf = () => true) {
 addEventListener('blur', () => releaseAll());
 addEventListener('pagehide', () => releaseAll());
 document.addEventListener('visibilitychange', () => document.hidden && releaseAll());
-// a long touch asks for a menu too, which the buttons do not show
+// a long touch requests a menu, too, which the buttons do not show
 addEventListener('contextmenu', () => releaseAll((one) => one.source !== 'touch'));

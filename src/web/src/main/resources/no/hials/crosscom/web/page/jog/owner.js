@@ -20,7 +20,7 @@ export function isMine() {
   return jogging().owner?.id === state.who.id;
 }
 
-/** Returns the rest of the time for an answer in s, which passes without events. */
+/** Returns the remaining time for an answer in s, which passes without events. */
 function useSecondsLeft({ asker, answer_ms }) {
   const [end, setEnd] = useState(0);
   const [now, setNow] = useState(0);

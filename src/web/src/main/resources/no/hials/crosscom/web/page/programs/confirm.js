@@ -1,4 +1,4 @@
-// The dialog before a change: the robot, what will happen, and the warning that goes with it.
+// The dialog before a change: the robot, the effect of the change, and its warning.
 
 import { h } from 'preact';
 import { useState } from 'preact/hooks';
@@ -9,7 +9,7 @@ import { header, mayWrite, note, state } from '../state.js';
  * Asks before a change, and makes it.
  *
  * @param asked title, action (the word of the button), facts (names and texts), warning, work (makes
- *     the change and returns what to say about it)
+ *     the change and returns a message about it)
  */
 export function Confirm({ asked, onClose }) {
   const [busy, setBusy] = useState(false);

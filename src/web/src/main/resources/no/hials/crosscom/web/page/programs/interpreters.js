@@ -1,4 +1,4 @@
-// The two interpreters: their programs and states, and what can be done with them.
+// The two interpreters: their programs, their states and their buttons.
 
 import { h } from 'preact';
 import { call } from '../socket.js';
@@ -134,7 +134,7 @@ export function Interpreters({ known, values, stale, onAsk }) {
       title: 'Robot interpreter',
       program: one.robot_program,
       programState: one.robot_state,
-      hint: stale ? '' : startHint(one.robot_state, values), // an old one may be the wrong order
+      hint: stale ? '' : startHint(one.robot_state, values), // an old hint may be wrong
       bridge: known?.bridge,
       onAsk,
     }),

@@ -1,5 +1,5 @@
-// The text of a module with its line numbers, and the running line. Only the visible lines are in
-// the page, so that thousands of them stay quick. The text comes from a controller: it is never
+// The text of a module with its line numbers, and the running line. The page has only the visible
+// lines, so that thousands of lines stay fast. The text comes from a controller: it is never
 // made into markup.
 
 import { h } from 'preact';
@@ -10,7 +10,7 @@ import { state } from '../state.js';
 const LINE_HEIGHT = 20; // px, as in the style
 const MORE_LINES = 20; // beyond the visible ones
 
-/** Loads the text of a module; again when the version changes. */
+/** Loads the text of a module, and reloads it when the version changes. */
 function useText(name, version, bridge) {
   const [loaded, setLoaded] = useState({ name: '', text: '', error: '' });
   useEffect(() => {
@@ -30,7 +30,7 @@ function useText(name, version, bridge) {
 /** Shows the lines of a text; scrolls to the running one unless the user reads elsewhere. */
 function Lines({ name, text, pointer, main }) {
   const box = useRef(null);
-  const own = useRef(0); // where this has scrolled to
+  const own = useRef(0); // the position to which this component scrolled
   const [top, setTop] = useState(0);
   const [height, setHeight] = useState(600);
   const [following, setFollowing] = useState(true);
@@ -107,7 +107,7 @@ function textOf(value) {
   return typeof value === 'string' ? value.trim() : '';
 }
 
-/** The modules that have called each other, the innermost first. */
+/** The modules that called each other, the innermost first. */
 function callStack(pointer) {
   return Object.entries(pointer)
     .filter(([name]) => /^SI\d\d$/.test(name))

@@ -1,5 +1,5 @@
 // A robot as a tree of groups, one for each axis, with generated bodies between them. The chain is
-// that of the server's robot model; lengths are in mm.
+// the same as in the robot model of the server; lengths are in mm.
 
 import {
   BoxGeometry,
@@ -28,7 +28,7 @@ export function place(object, frame) {
   object.rotation.set(frame.C * RADIANS, frame.B * RADIANS, frame.A * RADIANS, 'ZYX');
 }
 
-/** An arm that can be moved. With a ghost's colour it is translucent, and has no rings of limits. */
+/** An arm that can be moved. With the colour of a ghost it is translucent, without limit rings. */
 export class Arm {
   constructor(model, ghost) {
     this.model = model;
@@ -206,7 +206,7 @@ function addBodies(arm, { a1, a2, b, c1, c2, c3, c4 }, withRings) {
   const { body, joint, steel, base } = arm.materials;
   const add = (link, geometry, material) => arm.bodies.get(link).add(solid(geometry, material));
   const forearm = Math.hypot(a2, c3);
-  // half the thickness at the shoulder
+  // half of the thickness at the shoulder
   const t = Math.min(0.078 * (c2 + forearm), 0.3 * c1);
   const w = Math.min(0.6 * t, 0.6 * c4, 0.16 * c3); // and at the wrist
   const column = 1.28 * t;

@@ -1,5 +1,5 @@
-// The picture of a robot: arm, target, frames, path and floor. It is drawn when something has
-// changed, and never otherwise. Z is up, lengths are in mm, and the origin is that of the world.
+// The picture of a robot: arm, target, frames, path and floor. It is drawn only when
+// something has changed. Z is up, lengths are in mm, and the origin is that of the world.
 
 import {
   AmbientLight,
@@ -53,7 +53,7 @@ const QUALITIES = [
   { ratio: 0.75, shadows: false },
 ];
 const SLOW = 32; // ms
-const STILL = 400; // ms without a change, after which the best picture is drawn
+const STILL = 400; // ms without a change until the best picture is drawn
 const WAITING = -1;
 
 const reduced = matchMedia('(prefers-reduced-motion: reduce)');
@@ -243,7 +243,7 @@ export class RobotScene {
     }
   }
 
-  /** Shows where the axes and E1 are going; null for nowhere. */
+  /** Shows the target of the axes and E1; null for no target. */
   aim(angles, external) {
     const key = `${angles} ${external}`;
     if (key !== this.aimed) {
@@ -257,7 +257,7 @@ export class RobotScene {
     }
   }
 
-  /** Shows the frames $BASE and $TOOL; null for one that is unknown. */
+  /** Shows the frames $BASE and $TOOL; null for an unknown frame. */
   setFrames(base, tool) {
     const key = JSON.stringify([base, tool]);
     if (key === this.framed) {
@@ -301,13 +301,13 @@ export class RobotScene {
       return;
     }
     if (length > this.reach / 4) {
-      this.end = end; // readings are missing, and the way between is not known
+      this.end = end; // readings are missing, so the path in between is unknown
       return;
     }
     const turn = new Quaternion().setFromUnitVectors(UP, way.divideScalar(length));
     const middle = start.clone().add(end).multiplyScalar(0.5);
     const matrix = new Matrix4().compose(middle, turn, new Vector3(1, length, 1));
-    this.path.setMatrixAt(this.segments % MAX_SEGMENTS, matrix); // the oldest one goes
+    this.path.setMatrixAt(this.segments % MAX_SEGMENTS, matrix); // replaces the oldest segment
     this.segments++;
     this.path.count = Math.min(this.segments, MAX_SEGMENTS);
     this.path.instanceMatrix.needsUpdate = true;
@@ -333,7 +333,7 @@ export class RobotScene {
 
   /** Shows a link in a shape from a file; see Arm.replace. */
   setShape(link, geometry) {
-    geometry.computeVertexNormals(); // many files have none
+    geometry.computeVertexNormals(); // many files have no normals
     if (link === 'tool') {
       this.hasToolShape = true;
       this.shaft.visible = false;
@@ -363,7 +363,7 @@ export class RobotScene {
     this.turn(direction.multiplyScalar(distance * 0.68), centre, atOnce);
   }
 
-  /** Turns the camera about the robot by angles in radians, and moves it nearer or away. */
+  /** Turns the camera around the robot by angles in radians, and moves it nearer or away. */
   orbit(across, up, nearer) {
     const offset = this.camera.position.clone().sub(this.controls.target);
     // three.js counts about Y
@@ -441,7 +441,7 @@ export class RobotScene {
       this.quality++;
       this.slow = 0;
     }
-    // leaves the page some time for everything else
+    // leaves the page time for other work
     setTimeout(() => {
       if (this.asked === WAITING) {
         this.asked = undefined;
@@ -480,7 +480,7 @@ export class RobotScene {
   dispose() {
     cancelAnimationFrame(this.asked);
     clearTimeout(this.still);
-    this.asked = null; // nothing is drawn any more
+    this.asked = null; // stops drawing
     this.resized.disconnect();
     this.controls.dispose();
     this.scene.traverse((it) => {

@@ -116,7 +116,7 @@ export function Edit({ name, onClose }) {
         'div',
         { class: 'buttons' },
         h('button', { type: 'button', class: 'quiet', onClick: onClose }, 'Cancel'),
-        // a button of its own, so that a double click on Continue does not write
+        // a separate button, so that a double click on Continue does not write
         h(
           'button',
           {

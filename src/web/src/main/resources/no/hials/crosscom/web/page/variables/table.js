@@ -60,7 +60,7 @@ export function useHistory({ names, period }) {
     () =>
       watch(state.robot, 'variables', names, period, (event) => {
         if (event.missed) {
-          return; // the old values stay, and are stale
+          return; // the old values stay, and become stale
         }
         for (const [name, reading] of Object.entries(event.values)) {
           history.current.add(name, reading, event.time);

@@ -70,7 +70,7 @@ function useUnits(leaves) {
   return units;
 }
 
-/** Returns whether a number is drawn until somebody chooses otherwise: if it has a unit. */
+/** Returns whether a number is drawn by default: if it has a unit. */
 function isFirstChoice(leaf, unit, names) {
   return (unit !== '' || !leaf.includes('.')) && names.includes(leaf.split(/[.[]/, 1)[0]);
 }
@@ -184,7 +184,7 @@ class Picture {
     this.player?.seek(time);
   }
 
-  /** Draws soon the panels that can be seen: at most 30 times a second, and less if it is slow. */
+  /** Schedules drawing the visible panels: at most 30 times a second, less often if it is slow. */
   draw() {
     this.waiting = new Set(this.panels);
     if (!this.asked) {
@@ -261,7 +261,7 @@ function usePicture({ names, period, span }) {
   return own;
 }
 
-/** A panel that somebody else draws; `create` returns it, or a promise of it. */
+/** A panel that is drawn outside the components; `create` returns it, or a promise of it. */
 function usePanel(picture, create, keys) {
   const element = useRef(null);
   const panel = useRef(null);
@@ -520,7 +520,7 @@ export function View() {
   const leaves = [...new Set(names.flatMap((name) => picture.source.leaves(name)))];
   const asked = useUnits(player ? [] : leaves);
   const units = player ? player.recording.units : asked;
-  // a recording may have more for the 3-D view than what was chosen
+  // a recording may have more variables, for the 3-D view, than were chosen
   const chosen = settings.names.map((name) => name.split(/[.[]/, 1)[0]);
   const first = names.some((name) => chosen.includes(name)) ? chosen : names;
   const isFirst = (leaf) => isFirstChoice(leaf, units[leaf] ?? '', first);

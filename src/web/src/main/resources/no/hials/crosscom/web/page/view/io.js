@@ -1,4 +1,4 @@
-// The view of inputs and outputs: lamps, switches and analog values, a bank at a time.
+// The view of inputs and outputs: lamps, switches and analog values, one bank at a time.
 
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
@@ -11,7 +11,7 @@ const BANK = 16;
 const ANALOG_BANK = 8;
 const MAX_FOUND = 12;
 
-/** Names and lengths; asked again when the server has read the data lists of the controller. */
+/** Names and lengths; requested again when the server has read the data lists. */
 function useSignals() {
   const { socket } = useSharedState();
   const [answer, setAnswer] = useState({ signals: {}, lengths: {}, simulated: false });
@@ -214,7 +214,7 @@ function Find({ names, onJump }) {
   );
 }
 
-/** The dialog for an analog value needs a field in place of a fixed one. */
+/** A field for an analog value in the dialog, which otherwise shows a fixed value. */
 function AnalogField({ value, onInput }) {
   return h(
     'label',

@@ -1,4 +1,4 @@
-// Moves the robot by hand, made for a phone: hold a button, and the robot moves until the release.
+// Moves the robot by hand, designed for a phone: the robot moves while a button is held.
 
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
@@ -82,7 +82,7 @@ function status(ready) {
   if (why) {
     return ['refused', `Not allowed: ${why}`];
   }
-  const { reason } = jogging(); // why it did not start, or has ended
+  const { reason } = jogging(); // why jogging did not start, or ended
   return reason ? ['refused', `Not jogging: ${reason}`] : ['waiting', 'Not started'];
 }
 

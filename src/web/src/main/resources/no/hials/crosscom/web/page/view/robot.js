@@ -15,7 +15,7 @@ const FRAME_PERIOD = 500;
 const TEXT_PERIOD = 150;
 const NEAR = 10; // degrees before a limit
 const AT = 0.1;
-const SAME = 0.05; // degrees; a target nearer than this is reached
+const SAME = 0.05; // degrees; a nearer target counts as reached
 const STATES = { free: '', near: 'near its limit', at: 'at its limit' };
 const VIEWS = { oblique: 'Oblique', front: 'Front', side: 'Side', top: 'Top' };
 
@@ -37,7 +37,7 @@ function pose(values) {
   return axes && AXES.every((name) => Number.isFinite(axes[name])) ? axes : null;
 }
 
-/** Watches the robot live: calls a function with values by name, and returns what ends it. */
+/** Watches the robot live: calls a function with values by name. Returns a function to end it. */
 function live(model, listener) {
   const period = header().simulated ? 20 : 50;
   const moving = ['$AXIS_ACT', '$POS_ACT', ...(model.target ? [model.target] : [])];
@@ -52,7 +52,7 @@ function live(model, listener) {
 /**
  * Follows the player of a recording, as `live` follows the robot.
  *
- * @param jumped called before the values of a time that does not follow the one before
+ * @param jumped called before the values of a time that does not follow the previous one
  */
 function replayed(player, jumped, listener) {
   let before = player.time;
@@ -103,9 +103,9 @@ async function loadShapes(scene, model) {
 }
 
 /**
- * Draws the picture. The module is loaded when it is needed, since it is the largest of the page.
+ * Draws the picture. The module is loaded when needed, since it is the largest of the page.
  *
- * @param latest where the last values are
+ * @param latest the reference to the last values
  */
 function usePicture(canvas, model, latest) {
   const picture = useRef(null);
@@ -194,7 +194,7 @@ function Axis({ name, axis, angle, target }) {
   );
 }
 
-/** The pose and the axes as text, for screen readers and for everybody else. */
+/** The pose and the axes as text, also for screen readers. */
 function Numbers({ model, values, stale }) {
   const tcp = structure(values, '$POS_ACT');
   const axes = structure(values, '$AXIS_ACT');
@@ -255,7 +255,7 @@ function Numbers({ model, values, stale }) {
   );
 }
 
-/** Returns why the picture is not of now; an empty text if it is. */
+/** Returns why the picture is not current; an empty text if it is. */
 function missing(player, values) {
   if (player === null) {
     const axes = values.$AXIS_ACT;
@@ -290,7 +290,7 @@ export function View() {
     const stop = source((changes) => {
       latest.current = player ? changes : Object.assign(latest.current, changes);
       show(picture.current, model, latest.current);
-      // nobody reads numbers at the pace of the picture
+      // nobody can read numbers as fast as the picture changes
       timer ??= setTimeout(() => {
         timer = undefined;
         setValues({ ...latest.current });

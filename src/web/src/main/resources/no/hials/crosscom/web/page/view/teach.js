@@ -151,10 +151,10 @@ function Faults({ bench, onChange }) {
 }
 
 /**
- * Writes the newest value of the sliders, one write at a time; also when a write has failed or the
- * view has gone, since the last one may be the one that stops the robot.
+ * Writes the newest value of the sliders, one write at a time. Continues after a failed write or
+ * the end of the view, since the last write may stop the robot.
  *
- * @param onDone called when all is written, or could not be
+ * @param onDone called when the newest value is written, or the write failed
  */
 function useWriter(variable, onDone) {
   const change = useChange();
@@ -177,11 +177,11 @@ function useWriter(variable, onDone) {
   };
 }
 
-/** Sliders for the increment that the running program adds again and again. */
+/** Sliders for the increment that the running program adds repeatedly. */
 function Increments({ program }) {
   const { variable, fields, units, most } = PROGRAMS[program];
   const [readings, stale] = useReadings('teach', [variable], READ_PERIOD);
-  const [wanted, setWanted] = useState(null); // what is shown until it can be read back
+  const [wanted, setWanted] = useState(null); // shown until the value can be read back
   const written = useRef(Infinity);
   const write = useWriter(variable, () => (written.current = serverTime()));
   const reading = readings[variable];
@@ -259,7 +259,7 @@ function Programs({ onChange }) {
   ];
 }
 
-/** Draws a node of a lesson; kinds that the page does not know become their text. */
+/** Draws a node of a lesson; a node of an unknown kind becomes its text. */
 function Node({ node, onLesson }) {
   const children = () =>
     (node.children ?? []).map((one, i) => h(Node, { key: i, node: one, onLesson }));

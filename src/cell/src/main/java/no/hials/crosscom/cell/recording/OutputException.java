@@ -61,7 +61,7 @@ public final class OutputException extends RuntimeException {
     return new OutputException(place + getMessage(), brokenPipe, getCause());
   }
 
-  /** Returns whether the reader of the output has closed it, which is no error to report. */
+  /** Returns whether the reader of the output has closed it, which is not an error to report. */
   public boolean isBrokenPipe() {
     return brokenPipe;
   }

@@ -79,7 +79,7 @@ public record PollPlan(Robot robot, Map<String, PlannedVariable> variables, Dura
     return new PollPlan(robot, variables, plant.accessTime());
   }
 
-  /** Returns the structure of a field if another field of it is read at the same period. */
+  /** Returns the structure of a field if it or another field of it is read as often. */
   private static String read(Wish wish, Collection<Wish> all) {
     String structure = wish.structure();
     boolean shared =

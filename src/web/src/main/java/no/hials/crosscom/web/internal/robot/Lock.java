@@ -69,7 +69,7 @@ public final class Lock {
         .put("read_only_by", readOnlyBy);
   }
 
-  /** Confirms without asking. */
+  /** Never asks, since the page has asked already. */
   private static final class NoQuestions implements WritePermission.Confirmation {
     @Override
     public boolean isInteractive() {

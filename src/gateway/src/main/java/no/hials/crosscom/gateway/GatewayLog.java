@@ -14,8 +14,8 @@ import java.util.List;
 
 /**
  * Configures logback: messages for the operator go to stderr, one line each. Text from outside
- * cannot start a new line. Logback finds this class as a service, and prefers it to the file
- * {@code logback.xml} of a library.
+ * cannot start a new line. Logback finds this class as a service, and prefers it to the file {@code
+ * logback.xml} of a library.
  */
 @ConfiguratorRank(ConfiguratorRank.CUSTOM_HIGH_PRIORITY)
 public final class GatewayLog extends ContextAwareBase implements Configurator {

@@ -68,17 +68,7 @@ class CommandQueueTest {
             RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
         CommandQueue queue =
             new CommandQueue(new Context(plant, feed, folder, new Health()), now::get)) {
-      queue.execute(
-          "test",
-          "cell1",
-          "MYINT",
-          "2",
-          result -> {
-            results.add(result);
-            awaitUninterruptibly(released);
-          });
-      assertThat(results.take()).isEqualTo("done");
-      queue.execute("test", "cell1", "MYINT", "3", results::add);
+      executeAndLetTheNextWait(queue, results, released);
 
       now.set(Duration.ofSeconds(5).toNanos() + 1);
       released.countDown();
@@ -101,17 +91,7 @@ class CommandQueueTest {
     try (RobotFeed feed =
         RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {})) {
       CommandQueue queue = new CommandQueue(new Context(plant, feed, folder, new Health()));
-      queue.execute(
-          "test",
-          "cell1",
-          "MYINT",
-          "2",
-          result -> {
-            results.add(result);
-            awaitUninterruptibly(released);
-          });
-      assertThat(results.take()).isEqualTo("done");
-      queue.execute("test", "cell1", "MYINT", "3", results::add);
+      executeAndLetTheNextWait(queue, results, released);
 
       Thread closing = new Thread(queue::close);
       closing.start();
@@ -127,6 +107,23 @@ class CommandQueueTest {
       closing.join();
     }
     assertThat(server.variables().get("MYINT")).isEqualTo("2");
+  }
+
+  /** Executes a command that ends when it is released, and submits another one. */
+  private static void executeAndLetTheNextWait(
+      CommandQueue queue, BlockingQueue<String> results, CountDownLatch released)
+      throws InterruptedException {
+    queue.execute(
+        "test",
+        "cell1",
+        "MYINT",
+        "2",
+        result -> {
+          results.add(result);
+          awaitUninterruptibly(released);
+        });
+    assertThat(results.take()).isEqualTo("done");
+    queue.execute("test", "cell1", "MYINT", "3", results::add);
   }
 
   private static void awaitUninterruptibly(CountDownLatch latch) {

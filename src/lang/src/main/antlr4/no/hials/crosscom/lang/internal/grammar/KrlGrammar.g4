@@ -110,7 +110,7 @@ external : EXT name parameters ;
 
 externalFunction : EXTFCT name brackets? name parameters ;
 
-imported : IMPORT name name brackets? IS importPath ;
+imported : IMPORT name name brackets? IS '/'? importPath brackets? ;
 
 importPath : ('/' name)+ '..' name ;
 

@@ -446,6 +446,31 @@ class KssRoutinesTest {
     assertThat(controller.messages()).singleElement().hasToString("-1 -1 of blue");
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"OUT_SYNC", "OUT_ASYNC", "GROUP"})
+  void goesOnAfterACommandOfBasWithoutEffect(String command) {
+    load("BAS(#" + command + ",1)\nI1=1").start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages())
+        .extracting(m -> m.kind() + " " + m.text())
+        .containsExactly("NOTIFICATION BAS(#" + command + ") has no effect in this simulation");
+    assertThat(get("I1")).isEqualTo("1");
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.END);
+  }
+
+  @Test
+  void stopsAtABaseOnExternalKinematics() {
+    load("BAS(#EX_BASE,2)\nI1=1").start();
+    controller.step(Duration.ofMillis(100));
+
+    assertThat(controller.messages())
+        .singleElement()
+        .asString()
+        .endsWith("BAS(#EX_BASE,2): a base on external kinematics is not simulated");
+    assertThat(get("I1")).isEqualTo("0");
+  }
+
   @Test
   void countsTheTextOfADialogueAsItsFirstParameter() {
     load("MsgDialog(I1,\"%1|%2\", ,\"blue\",\"left\")").start();

@@ -1,6 +1,7 @@
 package no.hials.crosscom.simulator.internal.program;
 
 import java.util.Map;
+import java.util.Set;
 import no.hials.crosscom.lang.Expression;
 import no.hials.crosscom.protocol.value.KrlEnum;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -27,6 +28,8 @@ final class Bas {
       Map.ofEntries(
           Map.entry("INITMOV", (bas, argument) -> bas.initialise()),
           Map.entry("ACC_CP", (bas, argument) -> bas.set("$ACC.CP", argument)),
+          // assumed: the acceleration on a path that glues
+          Map.entry("ACC_GLUE", (bas, argument) -> bas.set("$ACC.CP", argument)),
           Map.entry("VEL_CP", (bas, argument) -> bas.set("$VEL.CP", argument)),
           Map.entry("ACC_PTP", (bas, argument) -> bas.setAxes("$ACC_AXIS", argument)),
           Map.entry("VEL_PTP", (bas, argument) -> bas.setAxes("$VEL_AXIS", argument)),
@@ -50,6 +53,11 @@ final class Bas {
                 bas.set("$VEL.CP", argument);
               }));
 
+  /** Commands of which only the names are known; they cannot move the robot (assumed). */
+  private static final Set<String> WITHOUT_EFFECT = Set.of("OUT_SYNC", "OUT_ASYNC", "GROUP");
+
+  private static final String EXTERNAL_BASE = "EX_BASE";
+
   @FunctionalInterface
   private interface Command {
     void execute(Bas bas, KrlValue argument) throws KrlExecutionException;
@@ -68,12 +76,18 @@ final class Bas {
     }
     KrlValue argument = call.arguments().get(1) instanceof KrlValue given ? given : new KrlInt(0);
     String name = Scope.key(constant.name());
+    Bas bas = new Bas(call.symbols().scope());
     Command known = COMMANDS.get(name);
-    if (known == null) {
+    if (known != null) {
+      known.execute(bas, argument);
+    } else if (WITHOUT_EFFECT.contains(name)) {
+      MessageBuiltins.notify(call, "BAS(#" + name + ") has no effect in this simulation");
+    } else if (name.equals(EXTERNAL_BASE)) {
+      bas.externalBase(number(argument));
+    } else {
       throw new KrlExecutionException(
           KrlExecutionException.NOT_ALLOWED, "BAS(#" + name + ") is not supported");
     }
-    known.execute(new Bas(call.symbols().scope()), argument);
     return null;
   }
 
@@ -115,6 +129,16 @@ final class Bas {
   private void base(int number) throws KrlExecutionException {
     set("$BASE", get(number == 0 ? "$WORLD" : "BASE_DATA[" + number + "]"));
     set("$ACT_BASE", new KrlInt(number));
+  }
+
+  /** Assumed: the number of the external kinematics that carries the base, from 1. */
+  private void externalBase(int kinematics) throws KrlExecutionException {
+    if (kinematics > 0) {
+      throw new KrlExecutionException(
+          KrlExecutionException.NOT_ALLOWED,
+          "BAS(#EX_BASE," + kinematics + "): a base on external kinematics is not simulated");
+    }
+    set("$ACT_EX_AX", new KrlInt(-1));
   }
 
   private void frames() throws KrlExecutionException {

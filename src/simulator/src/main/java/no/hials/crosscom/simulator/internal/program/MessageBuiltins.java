@@ -144,6 +144,14 @@ final class MessageBuiltins {
                     option(call.arguments().get(OPTIONS), "CLEAR_P_SAW", false))));
   }
 
+  /** Shows a notification of the controller. */
+  static void notify(Call call, String text) {
+    window(call)
+        .show(
+            call.machine().kind(),
+            new ProgramMessage(ProgramMessage.Type.NOTIFY, 0, "", text, List.of(), true, false));
+  }
+
   /** Returns whether a call shows a message; its options are then the last argument. */
   static boolean shows(Builtin builtin) {
     return builtin.name().equals(MESSAGE) || builtin.name().equals(DIALOGUE);

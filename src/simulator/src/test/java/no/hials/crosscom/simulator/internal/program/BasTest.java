@@ -88,6 +88,8 @@ class BasTest {
   @ParameterizedTest
   @CsvSource({
     "'ACC_CP,1.5', $ACC.CP, 1.5",
+    "'ACC_GLUE,1.5', $ACC.CP, 1.5",
+    "'EX_BASE,0', $ACT_EX_AX, -1",
     "'VEL_CP,0.5', $VEL.CP, 0.5",
     "'ACC_PTP,30', $ACC_AXIS[6], 30",
     "'VEL_PTP,20', $VEL_AXIS[1], 20",

@@ -131,7 +131,7 @@ class ControllerInterruptTest {
   }
 
   @Test
-  void resumeAfterAMotionOfTheRoutineForgetsBoth() throws Exception {
+  void resumeWaitsForTheMotionsOfItsRoutine() throws Exception {
     start(
         "INTERRUPT DECL 1 WHEN $FLAG[1] DO IR1()\nINTERRUPT ON 1\nIR2()\nPTP_REL {A6 5}",
         "BRAKE\nPTP_REL {A5 -20}\nPTP_REL {A5 10}\nRESUME",
@@ -139,6 +139,22 @@ class ControllerInterruptTest {
     cell.set("$FLAG[1]", "TRUE");
     cell.runToTheEnd();
     assertThat(a(1)).isBetween(1.0, 89.0);
+    assertThat(a(5)).isEqualTo(35);
+    assertThat(a(6)).isEqualTo(5);
+  }
+
+  @Test
+  void resumeFollowsTheReturnToTheInterruptedPoint() throws Exception {
+    start(
+        "INTERRUPT DECL 1 WHEN $FLAG[1] DO IR1()\nINTERRUPT ON 1\nIR2()\nMYINT=7\nPTP_REL {A6 5}",
+        "BRAKE\nPTP $AXIS_INT\nRESUME",
+        "PTP {A1 90}\nWAIT SEC 0");
+    cell.set("$FLAG[1]", "TRUE");
+    cell.until(() -> cell.get("MYINT").equals("7"));
+    assertThat(a(1))
+        .isCloseTo(cell.component("$AXIS_INT", "A1"), within(1e-4))
+        .isBetween(1.0, 89.0);
+    cell.runToTheEnd();
     assertThat(a(6)).isEqualTo(5);
   }
 

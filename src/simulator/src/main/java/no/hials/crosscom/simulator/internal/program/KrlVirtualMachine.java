@@ -524,7 +524,8 @@ final class KrlVirtualMachine {
 
   /**
    * Cancels the routine of an interrupt and the code it has interrupted, down to the routine that
-   * declared it.
+   * declared it. The motions of the routine end before (assumed), so that a robot that returns to
+   * {@code $POS_INT} arrives.
    */
   void resume() throws KrlExecutionException {
     requireRobot("RESUME");
@@ -543,6 +544,10 @@ final class KrlVirtualMachine {
           KrlExecutionException.NOT_ALLOWED,
           "RESUME cancels a subprogram called by the routine that has declared the interrupt,"
               + " no such subprogram is running");
+    }
+    if (interruption.holding() && mustWaitForMotion()) {
+      again();
+      return;
     }
     int holds = 0;
     while (top != null && top != declaring) {

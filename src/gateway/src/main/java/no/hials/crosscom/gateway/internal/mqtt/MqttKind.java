@@ -71,6 +71,10 @@ public final class MqttKind implements OutputKind<MqttSettings> {
     if (qos != null && (qos < 0 || qos > 2)) {
       throw table.error(QOS, "must be 0, 1 or 2, is " + qos);
     }
+    String clientId = table.text(CLIENT_ID);
+    if (clientId != null && clientId.isEmpty()) {
+      throw table.error(CLIENT_ID, "must not be empty; without it the identifier is random");
+    }
     String host = url.getHost().replaceAll("[\\[\\]]", "");
     Long limit = table.converted(STORE_LIMIT, MqttKind::size, TomlTable.TEXT, String.class);
     BrokerSettings broker =
@@ -79,7 +83,7 @@ public final class MqttKind implements OutputKind<MqttSettings> {
             port,
             tls,
             version == null ? 5 : version,
-            table.text(CLIENT_ID),
+            clientId,
             table.text(USER),
             passwordFile(table),
             caFile(table, tls),

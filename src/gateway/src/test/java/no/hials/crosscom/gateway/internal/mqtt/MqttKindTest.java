@@ -77,6 +77,7 @@ class MqttKindTest {
         "url = \"tcp://broker/path\" | mqtt.url: must be like",
         "version = 4 | :3: mqtt.version: must be 3 (MQTT 3.1.1) or 5, is 4",
         "qos = 3 | mqtt.qos: must be 0, 1 or 2, is 3",
+        "client-id = \"\" | mqtt.client-id: must not be empty; without it the identifier is random",
         "topic = \"a/#\" | mqtt.topic: must not be empty, begin with $",
         "store-limit = \"10 kB\" | mqtt.store-limit: must be 100 kB or more",
         "store-limit = \"much\" | mqtt.store-limit: must be like 500 kB, 100 MB or 2 GB, is much",

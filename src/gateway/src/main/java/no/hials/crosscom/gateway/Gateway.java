@@ -2,7 +2,6 @@ package no.hials.crosscom.gateway;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -85,7 +84,7 @@ public final class Gateway implements AutoCloseable {
   private static final class RunningOutput {
     private final Object settings;
     private final Output output;
-    private boolean failing;
+    private volatile boolean failing;
 
     RunningOutput(Object settings, Output output) {
       this.settings = settings;
@@ -203,9 +202,13 @@ public final class Gateway implements AutoCloseable {
     outputs.values().forEach(one -> one.call(output -> output.updated(robot, updates)));
   }
 
-  private void remove(RobotFeed feed) throws IOException {
+  private void remove(RobotFeed feed) {
     robots.remove(feed.name());
-    feed.close();
+    try {
+      feed.close();
+    } catch (IOException e) {
+      LOG.warn("{}: {}", feed.name(), e.getMessage());
+    }
     outputs.values().forEach(one -> one.call(output -> output.removed(feed)));
   }
 
@@ -228,13 +231,7 @@ public final class Gateway implements AutoCloseable {
   @Override
   public synchronized void close() {
     timer.shutdownNow();
-    for (RobotFeed feed : new ArrayList<>(robots.values())) {
-      try {
-        remove(feed);
-      } catch (IOException e) {
-        LOG.warn("{}: {}", feed.name(), e.getMessage());
-      }
-    }
+    List.copyOf(robots.values()).forEach(this::remove);
     outputs.values().forEach(one -> one.call(Output::close));
     outputs.clear();
   }

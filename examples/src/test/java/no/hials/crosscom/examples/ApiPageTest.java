@@ -56,7 +56,17 @@ class ApiPageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"src/client", "src/protocol", "src/kinematics", "src/control"})
+  @ValueSource(
+      strings = {
+        "src/client",
+        "src/protocol",
+        "src/kinematics",
+        "src/control",
+        "src/lang",
+        "src/simulator",
+        "mock-server",
+        "src/cell"
+      })
   void everyPublicTypeIsOnThePage(String module) throws Exception {
     assertThat(publicTypes(module)).isNotEmpty().isSubsetOf(named());
   }

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Reruns every figure of docs/reference/performance.md, in about ten minutes. Nothing else should
-# run on the machine meanwhile.
+# Reruns the figures of docs/reference/performance.md: without an argument those of the client and
+# the mock server, in about ten minutes. Nothing else should run on the machine meanwhile.
 #
 #   src/bench/run.sh          all of it
 #   src/bench/run.sh ratio    the client against a bare socket, both on one CPU

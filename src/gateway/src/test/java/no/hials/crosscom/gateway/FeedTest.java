@@ -55,6 +55,14 @@ class FeedTest {
       write = true
       values = ["TRUE", "FALSE"]
 
+      [variables."$MODE_OP"]
+      write = true
+      values = ["#T1"]
+
+      [variables."TASK[]"]
+      write = true
+      values = ["Home"]
+
       [variables.MYFRAME]
       write = true
       range = [0, 1]
@@ -239,6 +247,18 @@ class FeedTest {
         .contains("\"before\":\"3\",\"after\":\"42\",\"result\":\"done\"");
   }
 
+  @Test
+  void aListedTextOrConstantIsWritten() throws Exception {
+    robot.variables().declare("TASK[8]", "CHAR", "\"Away\"");
+    start("variables = [\"$OV_PRO\"]", WRITABLE);
+
+    writes().write("mqtt", plant, feed, "TASK[]", "\"Home\"");
+    writes().write("mqtt", plant, feed, "$OUT[4]", "true");
+
+    assertThat(robot.variables().get("TASK[]")).isEqualTo("\"Home\"");
+    assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
@@ -251,6 +271,9 @@ class FeedTest {
         "MYINT | TRUE | must be a number of 0.0 to 100.0, is TRUE",
         "MYINT | {X 1} | a field or an element can be written",
         "MYINT | ] | the value is not one of KRL",
+        "TASK[] | \"hOmE\" | must be one of Home, is \"hOmE\"",
+        "TASK[] | \"Home \" | must be one of Home, is \"Home \"",
+        "$MODE_OP | #T2 | must be one of #T1, is #T2",
         "$OUT[4] | 1 | must be one of TRUE, FALSE, is 1",
         "MYFRAME | {X 1} | a field or an element can be written",
       })

@@ -110,6 +110,9 @@ public final class PlantFile {
       List<String> variables = table.texts(VARIABLES).stream().map(String::strip).toList();
       checkNames(table, VARIABLES, variables);
       Double deadBand = deadBand(table);
+      if (deadBand != null && !table.flag("on-change")) {
+        throw table.error("dead-band", "needs on-change = true, without which all values are new");
+      }
       groups.add(
           new Group(
               table.name(),
@@ -150,8 +153,7 @@ public final class PlantFile {
       } catch (IllegalArgumentException e) {
         throw table.error(String.valueOf(e.getMessage()));
       }
-      List<String> values =
-          table.texts("values").stream().map(it -> it.toUpperCase(Locale.ROOT)).toList();
+      List<String> values = values(table);
       Range range = range(table);
       boolean writable = table.flag(WRITE);
       if (writable && range == null && values.isEmpty()) {
@@ -165,6 +167,19 @@ public final class PlantFile {
       }
     }
     return all;
+  }
+
+  private static List<String> values(TomlTable table) throws FileException {
+    List<String> values = table.texts("values");
+    for (String value : values) {
+      // a text of KRL has no double quote, so that the value would allow nothing
+      if (value.contains("\"")) {
+        throw table.error(
+            "values",
+            "must be texts without a double quote in them, such as \"Home\", is " + value);
+      }
+    }
+    return values;
   }
 
   private static @Nullable Range range(TomlTable table) throws FileException {

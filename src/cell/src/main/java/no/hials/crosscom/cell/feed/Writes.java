@@ -1,7 +1,6 @@
 package no.hials.crosscom.cell.feed;
 
 import java.io.IOException;
-import java.util.Locale;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.WriteAnswer;
 import no.hials.crosscom.protocol.value.KrlArray;
@@ -10,7 +9,6 @@ import no.hials.crosscom.protocol.value.KrlReal;
 import no.hials.crosscom.protocol.value.KrlStruct;
 import no.hials.crosscom.protocol.value.KrlSyntaxException;
 import no.hials.crosscom.protocol.value.KrlValue;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Writes variables for other systems, if the configuration allows it. Each write has a line in the
@@ -64,13 +62,14 @@ public final class Writes {
       throw new RefusedWriteException(
           target + " was not written: the configuration does not allow it (write = true)");
     }
-    Double number = number(target, text);
-    if (number != null && settings.range() != null) {
-      if (!settings.range().contains(number)) {
+    KrlValue value = scalar(target, text);
+    boolean isNumber = value instanceof KrlInt || value instanceof KrlReal;
+    if (isNumber && settings.range() != null) {
+      if (!settings.range().contains(value.asDouble())) {
         throw new RefusedWriteException(
             target + " was not written: must be " + settings.range() + ", is " + text);
       }
-    } else if (!settings.values().contains(text.toUpperCase(Locale.ROOT))) {
+    } else if (!settings.lists(value, text)) {
       String allowed =
           settings.values().isEmpty()
               ? "a number of " + settings.range()
@@ -81,8 +80,8 @@ public final class Writes {
     robot.client().checkText(name, text);
   }
 
-  /** Returns the number in a text; null if the text is another scalar. */
-  private static @Nullable Double number(String target, String text) throws IOException {
+  /** Returns the value of a text, which is not a structure or an array. */
+  private static KrlValue scalar(String target, String text) throws IOException {
     KrlValue value;
     try {
       value = KrlValue.parse(text);
@@ -94,6 +93,6 @@ public final class Writes {
       throw new RefusedWriteException(
           target + " was not written: a field or an element can be written, not a whole value");
     }
-    return value instanceof KrlInt || value instanceof KrlReal ? value.asDouble() : null;
+    return value;
   }
 }

@@ -88,6 +88,11 @@ class PlantFileTest {
         "[variables.A]\\nrange = [2, 1] | 4: variables.A.range: must be two numbers, the lower one",
         "[variables.A]\\n"
             + "range = [nan, 1] | 4: variables.A.range: must be two numbers, the lower one",
+        "[variables.A]\\nvalues = ['\"B\"'] | 4: variables.A.values: must be texts without a double",
+        "[groups.a]\\n"
+            + "variables = [\"A\"]\\n"
+            + "period = 1\\n"
+            + "dead-band = 1 | 6: groups.a.dead-band: needs on-change = true",
         "[variables.A]\\n[variables.a] | variables.a: the variable is there twice",
         "[limits]\\nload = 0 | 4: limits.load: must be more than 0 and at most 100 %, is 0",
         "[limits]\\nload = \"5\" | 4: limits.load: must be a number, without quotes",

@@ -151,13 +151,12 @@ final class OpcUaPlant implements AutoCloseable {
 
   /** Writes a value, and returns the code of its status. */
   static long write(OpcUaClient client, NodeId id, Object value) throws UaException {
-    return client
-        .write(
-            List.of(
-                new WriteValue(
-                    id, AttributeId.Value.uid(), null, DataValue.valueOnly(new Variant(value)))))
-        .getResults()[0]
-        .value();
+    return client.write(List.of(writeOf(id, value))).getResults()[0].value();
+  }
+
+  static WriteValue writeOf(NodeId id, Object value) {
+    return new WriteValue(
+        id, AttributeId.Value.uid(), null, DataValue.valueOnly(new Variant(value)));
   }
 
   /** Returns the objects and variables of a node that have a type. */

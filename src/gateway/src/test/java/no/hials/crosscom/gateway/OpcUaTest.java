@@ -8,6 +8,7 @@ import static no.hials.crosscom.gateway.OpcUaPlant.read;
 import static no.hials.crosscom.gateway.OpcUaPlant.robots;
 import static no.hials.crosscom.gateway.OpcUaPlant.subscribe;
 import static no.hials.crosscom.gateway.OpcUaPlant.write;
+import static no.hials.crosscom.gateway.OpcUaPlant.writeOf;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -17,8 +18,10 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.AttributeId;
@@ -294,6 +297,45 @@ class OpcUaTest {
         .filteredOn(it -> it.request().toString().contains("value=77"))
         .hasSize(1);
     assertThat(audit()).contains("the outcome is unknown");
+  }
+
+  @Test
+  void aWriteThatWaitsWhenItsClientLogsOutIsNotSent() throws Exception {
+    plant.apply(config().replace("1s", "20s"));
+    awaitGood(client, "cell1:$OV_PRO");
+    NodeId override = robots(client, "cell1:$OV_PRO");
+    CountDownLatch arrived = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    robot.fault(it -> isWriteOf(it, 11, arrived), Fault.hold(released));
+    OpcUaClient leaving = plant.connect("anna", "of anna");
+    OpcUaClient staying = plant.connect("anna", "of anna");
+    try {
+      var slow = leaving.writeAsync(List.of(writeOf(override, 11)));
+      arrived.await();
+      var waiting = leaving.writeAsync(List.of(writeOf(override, 12)));
+      leaving.disconnect();
+      released.countDown();
+
+      assertThat(write(staying, override, 13)).isEqualTo(StatusCodes.Good);
+      assertThat(slow).isNotCancelled();
+      assertThat(waiting).isNotCancelled();
+    } finally {
+      released.countDown();
+      staying.disconnect();
+    }
+    assertThat(robot.requests())
+        .filteredOn(RecordedRequest::isWrite)
+        .extracting(it -> it.request().toString())
+        .hasSize(2)
+        .noneMatch(it -> it.contains("value=12"));
+  }
+
+  private static boolean isWriteOf(RecordedRequest request, int value, CountDownLatch arrived) {
+    boolean is = request.isWrite() && request.request().toString().contains("value=" + value);
+    if (is) {
+      arrived.countDown();
+    }
+    return is;
   }
 
   @Test

@@ -44,9 +44,22 @@ public final class Writes {
       result = String.valueOf(e.getMessage());
       throw e;
     } finally {
-      String before = robot.lastValue(name).map(KrlValue::print).orElse("");
-      audit.add(new AuditLog.Entry(who, robot.name(), "write", name, before, value, result));
+      add(who, robot, name, value, result);
     }
+  }
+
+  /**
+   * Adds the line of a write that was not tried.
+   *
+   * @param reason why it was not
+   */
+  public void refused(String who, RobotFeed robot, String name, String text, String reason) {
+    add(who, robot, name, text, reason);
+  }
+
+  private void add(String who, RobotFeed robot, String name, String value, String result) {
+    String before = robot.lastValue(name).map(KrlValue::print).orElse("");
+    audit.add(new AuditLog.Entry(who, robot.name(), "write", name, before, value, result));
   }
 
   /** Refuses a write that the configuration does not allow. */

@@ -123,9 +123,11 @@ public final class CommandQueue implements AutoCloseable {
     if (closed) {
       return refused(who, feed.name(), variable, ENDS);
     }
-    return nanoTime.getAsLong() - latest > 0
-        ? refused(who, feed.name(), variable, TOO_LATE)
-        : write(who, feed, variable, value);
+    if (nanoTime.getAsLong() - latest > 0) {
+      context.writes().refused(who, feed, variable, value, TOO_LATE);
+      return refused(who, feed.name(), variable, TOO_LATE);
+    }
+    return write(who, feed, variable, value);
   }
 
   private String write(String who, RobotFeed feed, String variable, String value) {

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
@@ -11,6 +12,8 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComTimeoutException;
@@ -35,13 +38,34 @@ final class RobotWrites {
 
   private static final long IDLE_SECONDS = 10;
 
+  /** A write that waited longer is out of date: its client has given up by then. */
+  private static final Duration LONGEST_WAIT = Duration.ofSeconds(5);
+
+  private static final String TOO_LATE =
+      "not written: it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
+
   private final GatewayContext context;
+  private final LongSupplier nanoTime;
   private final Counter results;
   private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
   private volatile boolean closed;
 
+  /**
+   * A request of a client, with one or more writes.
+   *
+   * @param who the user, for the audit log
+   * @param latest the time up to which its writes may begin
+   * @param isWanted whether its session still exists
+   */
+  record Request(String who, long latest, BooleanSupplier isWanted) {}
+
   RobotWrites(GatewayContext context) {
+    this(context, System::nanoTime);
+  }
+
+  RobotWrites(GatewayContext context, LongSupplier nanoTime) {
     this.context = context;
+    this.nanoTime = nanoTime;
     results =
         context
             .health()
@@ -49,8 +73,14 @@ final class RobotWrites {
     List.of("done", "failed", "refused", "unknown").forEach(results::initLabelValues);
   }
 
+  /** Returns a request that was received now. */
+  Request request(User user, BooleanSupplier isWanted) {
+    return new Request(
+        "opcua:" + user.name(), nanoTime.getAsLong() + LONGEST_WAIT.toNanos(), isWanted);
+  }
+
   /** Writes a value, waits for the result, and returns its status. */
-  long write(User user, ValueNode node, @Nullable Object value) {
+  long write(Request request, ValueNode node, @Nullable Object value) {
     String robot = node.access().robot();
     String variable = node.access().variable();
     KrlValue now = node.krlValue();
@@ -65,14 +95,16 @@ final class RobotWrites {
       LOG.warn("OPC UA: {} of {}: {}", variable, robot, e.getMessage());
       return StatusCodes.Bad_OutOfRange;
     }
-    if (text == null) {
-      return StatusCodes.Bad_TypeMismatch;
-    }
+    return text == null ? StatusCodes.Bad_TypeMismatch : write(request, robot, variable, text);
+  }
+
+  /** Writes the text of a value, waits for the result, and returns its status. */
+  long write(Request request, String robot, String variable, String text) {
     try {
       Future<Long> result =
           threads
               .computeIfAbsent(robot, RobotWrites::thread)
-              .submit(() -> write("opcua:" + user.name(), robot, variable, text));
+              .submit(() -> writeNow(request, robot, variable, text));
       return result.get();
     } catch (RejectedExecutionException e) {
       return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_TooManyOperations;
@@ -102,13 +134,21 @@ final class RobotWrites {
     return executor;
   }
 
-  private long write(String who, String robotName, String variable, String text) {
+  private long writeNow(Request request, String robotName, String variable, String text) {
     RobotFeed robot = context.robot(robotName);
     if (closed || robot == null) {
       return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_NodeIdUnknown;
     }
+    if (!request.isWanted().getAsBoolean()) {
+      refuse(request, robot, variable, text, "not written: the session of the client has ended");
+      return StatusCodes.Bad_SessionClosed;
+    }
+    if (nanoTime.getAsLong() - request.latest() > 0) {
+      refuse(request, robot, variable, text, TOO_LATE);
+      return StatusCodes.Bad_TooManyOperations;
+    }
     try {
-      context.writes().write(who, context.plant(), robot, variable, text);
+      context.writes().write(request.who(), context.plant(), robot, variable, text);
       results.labelValues("done").inc();
       return StatusCodes.Good;
     } catch (IOException | IllegalArgumentException e) {
@@ -117,9 +157,27 @@ final class RobotWrites {
           .labelValues(
               unknown ? "unknown" : e instanceof RefusedWriteException ? "refused" : "failed")
           .inc();
-      LOG.warn("OPC UA: {} wrote {} = {}: {}", who, variable, text, e.getMessage());
+      log(request, robot, variable, text, String.valueOf(e.getMessage()));
       return status(e, unknown);
     }
+  }
+
+  private void refuse(
+      Request request, RobotFeed robot, String variable, String text, String reason) {
+    results.labelValues("refused").inc();
+    context.writes().refused(request.who(), robot, variable, text, reason);
+    log(request, robot, variable, text, reason);
+  }
+
+  private static void log(
+      Request request, RobotFeed robot, String variable, String text, String reason) {
+    LOG.warn(
+        "{}: the write {} = {} to {} failed: {}",
+        request.who(),
+        variable,
+        text,
+        robot.name(),
+        reason);
   }
 
   /** Returns the status of a failure: docs/reference/opcua.md#writing. */

@@ -140,14 +140,21 @@ final class RobotsNamespace extends StaticNamespace {
 
   @Override
   public List<StatusCode> write(WriteContext context, List<WriteValue> values) {
+    Session session = context.getSession().orElse(null);
+    User user = session == null ? User.ANONYMOUS : Users.of(session);
+    RobotWrites.Request request = writes.request(user, () -> session != null && exists(session));
     List<StatusCode> results = new ArrayList<>();
     for (WriteValue value : values) {
-      results.add(new StatusCode(write(context.getSession().orElse(null), value)));
+      results.add(new StatusCode(write(request, user, value)));
     }
     return results;
   }
 
-  private long write(@Nullable Session session, WriteValue write) {
+  private boolean exists(Session session) {
+    return getServer().getSessionManager().getAllSessions().contains(session);
+  }
+
+  private long write(RobotWrites.Request request, User user, WriteValue write) {
     UaNode node = node(write.getNodeId());
     if (node == null) {
       return StatusCodes.Bad_NodeIdUnknown;
@@ -157,13 +164,12 @@ final class RobotsNamespace extends StaticNamespace {
         || !variable.isWritable()) {
       return StatusCodes.Bad_NotWritable;
     }
-    User user = session == null ? User.ANONYMOUS : Users.of(session);
     if (user.role() != User.Role.OPERATOR) {
       return StatusCodes.Bad_UserAccessDenied;
     }
     if (!isWhole(write.getIndexRange())) {
       return StatusCodes.Bad_WriteNotSupported;
     }
-    return writes.write(user, variable, write.getValue().value().value());
+    return writes.write(request, variable, write.getValue().value().value());
   }
 }

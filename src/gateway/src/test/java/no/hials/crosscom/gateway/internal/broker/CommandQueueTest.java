@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Map;
@@ -80,6 +81,8 @@ class CommandQueueTest {
     }
     assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
     assertThat(server.variables().get("MYINT")).isEqualTo("4");
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("\"after\":\"3\",\"result\":\"not executed: it waited more than 5 s");
   }
 
   @Test

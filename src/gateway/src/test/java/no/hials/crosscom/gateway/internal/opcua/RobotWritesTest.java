@@ -1,0 +1,151 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PlantFile;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Writes;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.mock.junit.KukaController;
+import org.eclipse.milo.opcua.stack.core.StatusCodes;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(60)
+class RobotWritesTest {
+  private static final User ANNA = new User("anna", User.Role.OPERATOR, null, null);
+
+  @KukaController private MockServer server;
+  @TempDir private Path folder;
+  private final AtomicLong now = new AtomicLong();
+  private final AtomicBoolean wanted = new AtomicBoolean(true);
+  private final CountDownLatch released = new CountDownLatch(1);
+  private RobotFeed feed;
+  private RobotWrites writes;
+
+  /** The parts of a gateway with one robot. */
+  private record Context(Plant plant, RobotFeed robot, Path folder, Health health)
+      implements GatewayContext {
+    @Override
+    public RobotFeed robot(String name) {
+      return robot;
+    }
+
+    @Override
+    public Writes writes() {
+      return new Writes(new AuditLog(folder));
+    }
+  }
+
+  @BeforeEach
+  void open() throws Exception {
+    String text =
+        """
+        [robots.cell1]
+        host = "%s:%d"
+        timeout = "50s"
+        [variables.MYINT]
+        range = [0, 10]
+        write = true
+        """
+            .formatted(server.host(), server.port());
+    Plant plant = PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of());
+    feed = RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
+    writes = new RobotWrites(new Context(plant, feed, folder, new Health()), now::get);
+    server.variables().set("MYINT", "1");
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    released.countDown();
+    writes.close();
+    feed.close();
+  }
+
+  private RobotWrites.Request request() {
+    return writes.request(ANNA, wanted::get);
+  }
+
+  private CompletableFuture<Long> write(RobotWrites.Request request, String value) {
+    return CompletableFuture.supplyAsync(() -> writes.write(request, "cell1", "MYINT", value));
+  }
+
+  /** Begins a write that the robot answers when it is released. */
+  private CompletableFuture<Long> beginSlowWrite() {
+    CountDownLatch arrived = new CountDownLatch(1);
+    server.fault(
+        it -> {
+          if (it.isWrite()) {
+            arrived.countDown();
+          }
+          return it.isWrite();
+        },
+        Fault.hold(released));
+    CompletableFuture<Long> slow = write(request(), "2");
+    awaitUninterruptibly(arrived);
+    return slow;
+  }
+
+  private static void awaitUninterruptibly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Test
+  void aWriteThatWaitedTooLongIsRefusedWithALineInTheAuditLog() throws Exception {
+    CompletableFuture<Long> slow = beginSlowWrite();
+    CompletableFuture<Long> next = write(request(), "3");
+
+    now.set(Duration.ofSeconds(5).toNanos() + 1);
+    CompletableFuture<Long> later = write(request(), "4");
+    released.countDown();
+
+    assertThat(slow.join()).isEqualTo(StatusCodes.Good);
+    assertThat(next.join()).isEqualTo(StatusCodes.Bad_TooManyOperations);
+    assertThat(later.join()).isEqualTo(StatusCodes.Good);
+    assertThat(server.variables().get("MYINT")).isEqualTo("4");
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains(
+            "\"who\":\"opcua:anna\"",
+            "\"after\":\"3\",\"result\":\"not written: it waited more than 5 s for others to end\"");
+  }
+
+  @Test
+  void aWriteWhoseSessionHasEndedIsRefusedWithALineInTheAuditLog() throws Exception {
+    CompletableFuture<Long> slow = beginSlowWrite();
+    CompletableFuture<Long> next = write(request(), "3");
+
+    wanted.set(false);
+    released.countDown();
+
+    assertThat(slow.join()).isEqualTo(StatusCodes.Good);
+    assertThat(next.join()).isEqualTo(StatusCodes.Bad_SessionClosed);
+    assertThat(server.variables().get("MYINT")).isEqualTo("2");
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains(
+            "\"after\":\"3\",\"result\":\"not written: the session of the client has ended\"");
+  }
+}

@@ -1,5 +1,8 @@
 package no.hials.crosscom.gateway.broker;
 
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import io.prometheus.metrics.model.snapshots.CounterSnapshot;
 import io.prometheus.metrics.model.snapshots.GaugeSnapshot;
 import io.prometheus.metrics.model.snapshots.MetricSnapshot;
@@ -8,8 +11,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.gateway.Gateway;
@@ -22,6 +27,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /** A gateway with one simulated robot, and a broker. */
 @Timeout(60)
@@ -44,12 +50,20 @@ abstract class BrokerTest {
 
   /** Starts a gateway that reads the robot as cell1. */
   Gateway start(String text) throws IOException {
-    gateway = Gateway.start(config(text), KINDS, RobotConnection::openLazily);
+    return start(text, KINDS);
+  }
+
+  Gateway start(String text, List<OutputKind<?>> kinds) throws IOException {
+    gateway = Gateway.start(config(text, kinds), kinds, RobotConnection::openLazily);
     return gateway;
   }
 
   /** Returns a configuration with the robot. */
   GatewayConfig config(String text) throws IOException {
+    return config(text, KINDS);
+  }
+
+  private GatewayConfig config(String text, List<OutputKind<?>> kinds) throws IOException {
     String robots =
         """
         [limits]
@@ -62,7 +76,7 @@ abstract class BrokerTest {
         """
             .formatted(robot.host(), robot.port());
     TomlTable root = TomlTable.parse(folder.resolve("plant.toml"), robots + text);
-    return GatewayConfig.read(root, folder.resolve("data"), Map.of(), KINDS);
+    return GatewayConfig.read(root, folder.resolve("data"), Map.of(), kinds);
   }
 
   /** Returns the table of a broker on the loopback address. */
@@ -97,6 +111,26 @@ abstract class BrokerTest {
       }
       LockSupport.parkNanos(1_000_000);
     }
+  }
+
+  /** Calls a test with the lines that the gateway logs. */
+  static void withLog(LogTest test) throws Exception {
+    ListAppender<ILoggingEvent> log = new ListAppender<>();
+    Logger logger = (Logger) LoggerFactory.getLogger("no.hials.crosscom.gateway");
+    log.list = new CopyOnWriteArrayList<>();
+    log.start();
+    logger.addAppender(log);
+    try {
+      test.run(() -> log.list.stream().map(ILoggingEvent::getFormattedMessage).toList());
+    } finally {
+      logger.detachAppender(log);
+    }
+  }
+
+  /** A test of lines in the log. */
+  @FunctionalInterface
+  interface LogTest {
+    void run(Supplier<List<String>> lines) throws Exception;
   }
 
   @AfterEach

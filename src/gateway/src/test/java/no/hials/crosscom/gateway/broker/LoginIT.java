@@ -101,6 +101,27 @@ class LoginIT extends BrokerTest {
   }
 
   @Test
+  void aTopicThatTheBrokerRefusesHasOneLineInTheLog() throws Exception {
+    Files.writeString(folder.resolve("acl"), "topic read #\n");
+    broker =
+        new Mosquitto(
+            folder,
+            "max_queued_messages 1000\nallow_anonymous true\nuser root\nacl_file "
+                + folder.resolve("acl"));
+    withLog(
+        lines -> {
+          Gateway running = start(READ_ALL + mqtt(broker));
+          await(() -> figure(running, "mqtt_messages_dropped") > 50);
+
+          assertThat(lines.get())
+              .filteredOn(it -> it.contains("$OV_PRO"))
+              .containsExactly(
+                  "MQTT plain: the broker refuses robots/cell1/$OV_PRO: not authorized; further"
+                      + " refusals of the topic are only counted");
+        });
+  }
+
+  @Test
   void encryptsAndChecksTheCertificate() throws Exception {
     createCertificate("ip:127.0.0.1");
     broker = tlsBroker();

@@ -1,9 +1,6 @@
 package no.hials.crosscom.gateway.internal.broker;
 
 import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
-import com.hivemq.client.mqtt.exceptions.MqttEncodeException;
-import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
-import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubRecException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -57,6 +54,7 @@ public final class Session implements AutoCloseable {
 
   // used only by the thread
   private final Deque<Outgoing> inFlight = new ArrayDeque<>();
+  private final Refusals refusals;
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
   private @Nullable Link link;
@@ -65,6 +63,7 @@ public final class Session implements AutoCloseable {
   private long nextAttempt = System.nanoTime();
   private long delay = FIRST_DELAY;
   private long nextTick = System.nanoTime();
+  private long connectedAt;
   private String lastFailure = "";
 
   /** A message on its way. */
@@ -94,6 +93,7 @@ public final class Session implements AutoCloseable {
     this.name = name;
     this.folder = folder;
     this.figures = new SessionFigures(health, name);
+    this.refusals = new Refusals(name);
     this.thread = new Thread(this::run, "mqtt-" + name);
     thread.setDaemon(true);
   }
@@ -202,11 +202,9 @@ public final class Session implements AutoCloseable {
       figures.published.inc();
       one.done = true;
       confirm();
-    } else if (cause instanceof Mqtt5PubAckException
-        || cause instanceof Mqtt5PubRecException
-        || cause instanceof MqttEncodeException) {
+    } else if (Refusals.isRefusal(cause)) {
       figures.dropped("refused", 1);
-      LOG.warn("MQTT {}: the broker refuses {}: {}", name, message.topic(), cause.getMessage());
+      refusals.log(message.topic(), cause);
       one.done = true;
       confirm();
     } else {
@@ -373,7 +371,7 @@ public final class Session implements AutoCloseable {
       return;
     }
     connected = true;
-    delay = FIRST_DELAY;
+    connectedAt = System.nanoTime();
     lastFailure = "";
     figures.connected.set(1);
     if (store().isEmpty()) {
@@ -399,6 +397,7 @@ public final class Session implements AutoCloseable {
                 ? cause.getMessage()
                 : failure.getMessage());
     boolean was = connected;
+    refusals.clear();
     connected = false;
     link = null;
     figures.connected.set(0);
@@ -406,7 +405,10 @@ public final class Session implements AutoCloseable {
     keep();
     if (was) {
       LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
-      nextAttempt = System.nanoTime() + delay;
+      if (System.nanoTime() - connectedAt > LAST_DELAY) {
+        delay = FIRST_DELAY;
+      }
+      scheduleAttempt();
     } else {
       failed(reason);
     }
@@ -431,6 +433,11 @@ public final class Session implements AutoCloseable {
     }
     inFlight.clear();
     forwarding = false;
+    scheduleAttempt();
+  }
+
+  /** Each attempt waits longer, also if the broker connects and ends the connection at once. */
+  private void scheduleAttempt() {
   }
 
   private void end() {

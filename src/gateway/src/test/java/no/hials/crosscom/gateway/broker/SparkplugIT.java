@@ -9,7 +9,14 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.Gateway;
+import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.Output;
+import no.hials.crosscom.gateway.OutputKind;
+import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
 import org.eclipse.tahu.message.SparkplugBPayloadDecoder;
 import org.eclipse.tahu.message.SparkplugBPayloadEncoder;
 import org.eclipse.tahu.message.model.Metric;
@@ -185,14 +192,7 @@ class SparkplugIT extends BrokerTest {
       await(() -> figure(reading, "mqtt_connected") == 0);
       for (String value : List.of("1", "2", "3")) {
         robot.variables().set("COUNTER", value);
-        await(
-            () ->
-                reading
-                    .robots()
-                    .get(0)
-                    .lastValue("COUNTER")
-                    .filter(it -> it.print().equals(value))
-                    .isPresent());
+        await(() -> hasCounter(reading.robots().get(0), value));
       }
       cable.connect();
 
@@ -209,6 +209,105 @@ class SparkplugIT extends BrokerTest {
     }
   }
 
+  /** An output whose start takes until it is told to end. */
+  private record SlowOutput(Runnable starting) implements OutputKind<String> {
+    @Override
+    public String table() {
+      return "slow";
+    }
+
+    @Override
+    public String read(TomlTable table) {
+      return "";
+    }
+
+    @Override
+    public Output open(String settings, GatewayContext context) {
+      starting.run();
+      return new Output() {
+        @Override
+        public void added(RobotFeed added) {}
+
+        @Override
+        public void updated(RobotFeed updated, List<Update> updates) {}
+
+        @Override
+        public void removed(RobotFeed removed) {}
+
+        @Override
+        public void close() {}
+      };
+    }
+  }
+
+  @Test
+  void storedValuesWaitForTheirRobotAndThoseOfARemovedOneAreCounted() throws Exception {
+    broker = Mosquitto.open(folder);
+    broker.kill();
+    String cell2 = "[robots.cell2]\nhost = \"%s:%d\"\n".formatted(robot.host(), robot.port());
+    Gateway before = start(cell2 + READ + mqtt(broker, NODE));
+    for (String value : List.of("1", "2", "3")) {
+      robot.variables().set("COUNTER", value);
+      await(() -> before.robots().stream().allMatch(it -> hasCounter(it, value)));
+    }
+    before.close();
+    broker.start();
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/hall1/#")) {
+      // after the last of these births, the session has looked for stored messages
+      Runnable untilForwarding =
+          () -> {
+            awaitBirths(observer, 1);
+            observer.publish(rebirth());
+            awaitBirths(observer, 2);
+            observer.publish(rebirth());
+            awaitBirths(observer, 3);
+          };
+      withLog(
+          lines -> {
+            Gateway after =
+                start(
+                    READ + mqtt(broker, NODE) + "[slow]\n",
+                    List.of(new MqttKind(), new SlowOutput(untilForwarding)));
+            await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
+
+            long alias = metricOf(last(observer, DBIRTH), "COUNTER").getAlias();
+            for (int value : List.of(1, 2, 3)) {
+              Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(value));
+              assertThat(has(data, alias, it -> Boolean.TRUE.equals(it.isHistorical()))).isTrue();
+            }
+            double lost = figure(after, "mqtt_messages_dropped");
+            assertThat(lost).isGreaterThanOrEqualTo(3);
+            assertThat(lines.get())
+                .contains(
+                    "MQTT sparkplug: the stored messages are forwarded, but %.0f of them are lost: their robot or value is no longer there"
+                        .formatted(lost));
+          });
+    }
+  }
+
+  private static boolean hasCounter(RobotFeed feed, String value) {
+    return feed.lastValue("COUNTER").filter(it -> it.print().equals(value)).isPresent();
+  }
+
+  private static Mqtt5Publish rebirth() {
+    try {
+      return command(
+          "spBv1.0/hall1/NCMD/gateway1",
+          new Metric.MetricBuilder("Node Control/Rebirth", MetricDataType.Boolean, true)
+              .createMetric());
+    } catch (Exception e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  private static void awaitBirths(Observer observer, int number) {
+    try {
+      observer.await(all -> observer.on(NBIRTH).size() >= number);
+    } catch (InterruptedException e) {
+      throw new AssertionError(e);
+    }
+  }
+
   @Test
   void anotherApplicationCanAskForTheBirths() throws Exception {
     broker = Mosquitto.open(folder);
@@ -217,11 +316,7 @@ class SparkplugIT extends BrokerTest {
       observer.await(DBIRTH, "");
       Object number = metricOf(last(observer, NBIRTH), "bdSeq").getValue();
 
-      observer.publish(
-          command(
-              "spBv1.0/hall1/NCMD/gateway1",
-              new Metric.MetricBuilder("Node Control/Rebirth", MetricDataType.Boolean, true)
-                  .createMetric()));
+      observer.publish(rebirth());
 
       observer.await(all -> observer.on(DBIRTH).size() == 2);
       assertThat(metricOf(last(observer, NBIRTH), "bdSeq").getValue()).isEqualTo(number);

@@ -284,6 +284,11 @@ final class MessageStore implements AutoCloseable {
     return first == null || handedOut == first.size() ? null : first.get(handedOut++);
   }
 
+  /** Makes {@link #next} return its last message again. */
+  void putBack() {
+    handedOut--;
+  }
+
   private void load() {
     dropping = false;
     if (segments.size() == 1) {

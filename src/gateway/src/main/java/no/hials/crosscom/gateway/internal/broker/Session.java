@@ -60,10 +60,11 @@ public final class Session implements AutoCloseable {
   private @Nullable Link link;
   private boolean connected;
   private boolean forwarding;
+  private long droppedStored;
   private long nextAttempt = System.nanoTime();
   private long delay = FIRST_DELAY;
-  private long nextTick = System.nanoTime();
   private long connectedAt;
+  private long nextTick = System.nanoTime();
   private String lastFailure = "";
 
   /** A message on its way. */
@@ -92,8 +93,8 @@ public final class Session implements AutoCloseable {
     this.settings = settings;
     this.name = name;
     this.folder = folder;
-    this.figures = new SessionFigures(health, name);
     this.refusals = new Refusals(name);
+    this.figures = new SessionFigures(health, name);
     this.thread = new Thread(this::run, "mqtt-" + name);
     thread.setDaemon(true);
   }
@@ -162,6 +163,7 @@ public final class Session implements AutoCloseable {
   /** Drops and counts a stored message that can no longer be published. */
   public void dropStored(StoredMessage stored) {
     figures.dropped("unknown", 1);
+    droppedStored++;
     Outgoing one = new Outgoing(null, stored);
     one.done = true;
     inFlight.add(one);
@@ -301,17 +303,29 @@ public final class Session implements AutoCloseable {
       if (next == null) {
         break;
       }
-      busy = true;
       try {
-        traffic().forward(next);
+        if (!traffic().forward(next)) {
+          store().putBack();
+          break;
+        }
       } catch (IllegalArgumentException e) {
         LOG.warn("MQTT {}: a stored message cannot be published: {}", name, e.getMessage());
         dropStored(next);
       }
+      busy = true;
     }
     if (connected && forwarding && store().isEmpty()) {
       forwarding = false;
-      LOG.info("MQTT {}: all stored messages are forwarded", name);
+      if (droppedStored == 0) {
+        LOG.info("MQTT {}: all stored messages are forwarded", name);
+      } else {
+        LOG.warn(
+            "MQTT {}: the stored messages are forwarded, but {} of them are lost:"
+                + " their robot or value is no longer there",
+            name,
+            droppedStored);
+      }
+      droppedStored = 0;
       traffic().forwarded();
     }
     if (connected && !store().isEmpty()) {
@@ -383,6 +397,7 @@ public final class Session implements AutoCloseable {
           settings.url(),
           store().size());
     }
+    refusals.clear();
     traffic().connected();
   }
 
@@ -397,7 +412,6 @@ public final class Session implements AutoCloseable {
                 ? cause.getMessage()
                 : failure.getMessage());
     boolean was = connected;
-    refusals.clear();
     connected = false;
     link = null;
     figures.connected.set(0);
@@ -419,6 +433,11 @@ public final class Session implements AutoCloseable {
       LOG.warn("MQTT {}: cannot connect to {}: {}", name, settings.url(), reason);
     }
     lastFailure = reason;
+    scheduleAttempt();
+  }
+
+  /** Each attempt waits longer, also if the broker connects and ends the connection at once. */
+  private void scheduleAttempt() {
     nextAttempt = System.nanoTime() + delay;
     delay = Math.min(2 * delay, LAST_DELAY);
   }
@@ -433,11 +452,6 @@ public final class Session implements AutoCloseable {
     }
     inFlight.clear();
     forwarding = false;
-    scheduleAttempt();
-  }
-
-  /** Each attempt waits longer, also if the broker connects and ends the connection at once. */
-  private void scheduleAttempt() {
   }
 
   private void end() {

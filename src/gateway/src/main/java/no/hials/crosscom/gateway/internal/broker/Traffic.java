@@ -24,8 +24,12 @@ public interface Traffic {
   /** Called four times a second, whether connected or not. */
   void tick();
 
-  /** Called with each stored message, in order, while the broker is connected. */
-  void forward(StoredMessage message);
+  /**
+   * Called with each stored message, in order, while the broker is connected.
+   *
+   * @return whether the message was published or dropped; false to get it again later
+   */
+  boolean forward(StoredMessage message);
 
   /** Called when the broker has all stored messages. */
   void forwarded();

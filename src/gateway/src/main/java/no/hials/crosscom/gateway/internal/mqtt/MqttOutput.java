@@ -54,7 +54,13 @@ final class MqttOutput implements Output {
       Session second = new Session(own, "sparkplug", folder.resolve("sparkplug"), context.health());
       sparkplug =
           new Sparkplug(
-              second, new SparkplugTraffic(id, second, folder.resolve("bdseq"), commands));
+              second,
+              new SparkplugTraffic(
+                  id,
+                  second,
+                  folder.resolve("bdseq"),
+                  commands,
+                  robot -> context.plant().robots().containsKey(robot)));
       LOG.info("MQTT: publishes as the Sparkplug node {}/{}", id.group(), id.node());
       second.start(sparkplug.traffic);
     }

@@ -159,10 +159,11 @@ final class PlainTraffic implements Traffic {
   }
 
   @Override
-  public void forward(StoredMessage message) {
+  public boolean forward(StoredMessage message) {
     behind.add(message.topic());
     session.publishStored(
         new Publication(message.topic(), message.payload(), qos, false, null), message);
+    return true;
   }
 
   @Override

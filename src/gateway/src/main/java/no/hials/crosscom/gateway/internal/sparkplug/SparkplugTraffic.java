@@ -5,6 +5,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Predicate;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.internal.broker.CommandQueue;
@@ -35,8 +37,10 @@ public final class SparkplugTraffic implements Traffic {
   private final SparkplugId id;
   private final Session session;
   private final @Nullable CommandQueue commands;
+  private final Predicate<String> isConfigured;
   private final BirthNumber connection;
   private final Map<String, Device> devices = new LinkedHashMap<>();
+  private final AtomicBoolean rebirthWaits = new AtomicBoolean();
   private long lastAlias;
   private int seq;
 
@@ -45,10 +49,16 @@ public final class SparkplugTraffic implements Traffic {
    *
    * @param file keeps the number of the last connection
    * @param commands executes commands; null if there are none
+   * @param isConfigured whether the configuration has a robot, by its name
    */
   public SparkplugTraffic(
-      SparkplugId id, Session session, Path file, @Nullable CommandQueue commands) {
+      SparkplugId id,
+      Session session,
+      Path file,
+      @Nullable CommandQueue commands,
+      Predicate<String> isConfigured) {
     this.id = id;
+    this.isConfigured = isConfigured;
     this.session = session;
     this.commands = commands;
     this.connection = new BirthNumber(file);
@@ -184,8 +194,11 @@ public final class SparkplugTraffic implements Traffic {
   }
 
   @Override
-  public void forward(StoredMessage message) {
+  public boolean forward(StoredMessage message) {
     Device device = devices.get(message.topic());
+    if (device == null && isConfigured.test(message.topic())) {
+      return false; // the gateway is starting the robot
+    }
     List<Metric> metrics = new ArrayList<>();
     if (device != null) {
       for (Metric old : Payloads.decode(message.payload())) {
@@ -203,12 +216,13 @@ public final class SparkplugTraffic implements Traffic {
     }
     if (device == null || metrics.isEmpty()) {
       session.dropStored(message);
-      return;
+      return true;
     }
     if (!device.isBorn() || device.isChanged()) {
       birth(device);
     }
     session.publishStored(message("DDATA", device.name(), metrics), message);
+    return true;
   }
 
   @Override
@@ -243,10 +257,12 @@ public final class SparkplugTraffic implements Traffic {
         !message.retained()
             && metrics(message).stream()
                 .anyMatch(it -> REBIRTH.equals(it.getName()) && Boolean.TRUE.equals(it.getValue()));
-    if (rebirth) {
+    // several requests that wait are answered by the same births
+    if (rebirth && rebirthWaits.compareAndSet(false, true)) {
       session.submit(
-          1,
+          0,
           () -> {
+            rebirthWaits.set(false);
             if (session.isConnected()) {
               LOG.info("Sparkplug: births are published again on request");
               connected();

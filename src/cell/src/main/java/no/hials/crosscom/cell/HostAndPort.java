@@ -44,6 +44,11 @@ public record HostAndPort(String host, @Nullable Integer port) {
    * @throws IllegalArgumentException if it has another form, or the port is not 0 to 65535
    */
   public static HostAndPort listening(String text, int usual) {
+    if (text.matches("\\d+")) {
+      // Java would take the number for an address
+      throw new IllegalArgumentException(
+          "must be HOST or HOST:PORT, such as 127.0.0.1:" + text + ", is '" + text + "'");
+    }
     if (text.endsWith(":0")) {
       return new HostAndPort(parse(text.substring(0, text.length() - 2)).host(), 0);
     }

@@ -49,6 +49,13 @@ class HostAndPortTest {
         .withMessage("must be HOST, HOST:PORT or [IPV6]:PORT, is '" + text + "'");
   }
 
+  @Test
+  void aNumberIsNoAddressToListenOn() {
+    assertThatIllegalArgumentException()
+        .isThrownBy(() -> HostAndPort.listening("9464", 1))
+        .withMessage("must be HOST or HOST:PORT, such as 127.0.0.1:9464, is '9464'");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"0", "65536", "x"})
   void refusesAWrongPort(String port) {

@@ -89,6 +89,10 @@ public final class MqttKind implements OutputKind<MqttSettings> {
             caFile(table, tls),
             limit == null ? DEFAULT_LIMIT : limit);
     String topic = topic(table, TOPIC, true);
+    if (topic != null && (topic + "/").startsWith(SparkplugId.NAMESPACE + "/")) {
+      throw table.error(
+          TOPIC, "must not begin with " + SparkplugId.NAMESPACE + ", which is that of Sparkplug");
+    }
     return new MqttSettings(
         broker,
         topic == null ? "robots" : topic,
@@ -205,6 +209,9 @@ public final class MqttKind implements OutputKind<MqttSettings> {
     }
     if (group == null || node == null) {
       throw table.error(GROUP + " and " + NODE + " need each other");
+    }
+    if (group.equals(SparkplugId.STATE)) {
+      throw table.error(GROUP, "must not be STATE, which is the topic of host applications");
     }
     return new SparkplugId(group, node);
   }

@@ -60,6 +60,29 @@ class GatewayMainTest {
                 + " 50 % is allowed ([limits] load)");
   }
 
+  @Test
+  void theErrorHasAllRobotsWhosePlanIsTooMuch() throws IOException {
+    String groups =
+        """
+        [robots.cell2]
+        host = "192.0.2.2"
+        server = "c3"
+        [robots.cell3]
+        host = "192.0.2.3"
+        server = "kukavarproxy"
+        [groups.all]
+        variables = ["$POS_ACT", "$AXIS_ACT"]
+        period = "10ms"
+        """;
+
+    assertThat(dryRun(ROBOT + groups)).isEqualTo(2);
+
+    assertThat(err.toString())
+        .contains(
+            "cell1: 2 variables every 10 ms, 200.0 accesses/s, 100 % load; cell3: 2 variables every"
+                + " 10 ms, 200.0 accesses/s, 100 % load: at most 50 %");
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import org.jspecify.annotations.Nullable;
@@ -23,6 +24,8 @@ public record Plant(
     Map<String, VariableSettings> settings,
     Duration accessTime,
     double maxLoad) {
+  /** The number of plans above the limit that an error lists. */
+  private static final int MAX_LISTED = 5;
 
   /** Copies the collections. */
   public Plant {
@@ -50,16 +53,18 @@ public record Plant(
    * @throws FileException if a plan is above the limit
    */
   public void checkLoad() throws FileException {
-    for (PollPlan plan : plans()) {
-      if (plan.load() > maxLoad) {
-        throw new FileException(
-            String.format(
-                Locale.ROOT,
-                "%s: at most %.0f %% is allowed ([limits] load); read fewer variables, less often,"
-                    + " or as structures",
-                plan.text(),
-                maxLoad));
-      }
+    List<PollPlan> above = plans().stream().filter(plan -> plan.load() > maxLoad).toList();
+    if (!above.isEmpty()) {
+      throw new FileException(
+          String.format(
+              Locale.ROOT,
+              "%s: at most %.0f %% is allowed ([limits] load); read fewer variables, less often,"
+                  + " or as structures",
+              above.stream().limit(MAX_LISTED).map(PollPlan::text).collect(Collectors.joining("; "))
+                  + (above.size() > MAX_LISTED
+                      ? "; and " + (above.size() - MAX_LISTED) + " more robots"
+                      : ""),
+              maxLoad));
     }
   }
 }

@@ -4,19 +4,29 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.Gateway;
 import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.Health;
 import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.OutputKind;
+import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
+import no.hials.crosscom.gateway.internal.broker.Publication;
+import no.hials.crosscom.gateway.internal.broker.Received;
+import no.hials.crosscom.gateway.internal.broker.Session;
 import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
+import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
+import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
 import org.eclipse.tahu.message.SparkplugBPayloadDecoder;
 import org.eclipse.tahu.message.SparkplugBPayloadEncoder;
 import org.eclipse.tahu.message.model.Metric;
@@ -322,6 +332,55 @@ class SparkplugIT extends BrokerTest {
       assertThat(metricOf(last(observer, NBIRTH), "bdSeq").getValue()).isEqualTo(number);
       assertThat(decode(last(observer, NBIRTH)).getSeq()).isZero();
       assertThat(decode(last(observer, DBIRTH)).getSeq()).isEqualTo(1);
+    }
+  }
+
+  @Test
+  void requestsForBirthsThatWaitHaveOneAnswer() throws Exception {
+    broker = Mosquitto.open(folder);
+    BrokerSettings settings =
+        new BrokerSettings("127.0.0.1", broker.port(), false, 5, "gw", null, null, null, 1_000_000);
+    CountDownLatch released = new CountDownLatch(1);
+    try (Observer observer = new Observer(broker.port()).subscribe("#");
+        Session session = new Session(settings, "sparkplug", folder, new Health())) {
+      SparkplugTraffic traffic =
+          new SparkplugTraffic(
+              new SparkplugId("hall1", "gateway1"),
+              session,
+              folder.resolve("bdseq"),
+              null,
+              name -> false);
+      session.start(traffic);
+      observer.await(NBIRTH, "");
+      session.submit(0, () -> awaitUninterruptibly(released));
+
+      Received request =
+          new Received(
+              "spBv1.0/hall1/NCMD/gateway1",
+              ByteBuffer.wrap(rebirth().getPayloadAsBytes()),
+              false,
+              "",
+              null,
+              null);
+      Consumer<Received> receiver = traffic.subscriptions().get(0).receiver();
+      for (int i = 0; i < 50; i++) {
+        receiver.accept(request);
+      }
+      session.submit(0, () -> session.publish(new Publication("end", new byte[0], 0, false), null));
+      released.countDown();
+
+      observer.await("end", "");
+      assertThat(observer.on(NBIRTH)).hasSize(2);
+    } finally {
+      released.countDown();
+    }
+  }
+
+  private static void awaitUninterruptibly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 

@@ -313,6 +313,10 @@ class OpcUaTest {
       var slow = leaving.writeAsync(List.of(writeOf(override, 11)));
       arrived.await();
       var waiting = leaving.writeAsync(List.of(writeOf(override, 12)));
+      for (int i = 0; i < 20; i++) {
+        // the server has begun the write by then
+        read(leaving, override);
+      }
       leaving.disconnect();
       released.countDown();
 

@@ -14,7 +14,7 @@ import no.hials.crosscom.simulator.internal.motion.MotionCommand;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSegment;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSpline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.ConstantSpeed;
-import no.hials.crosscom.simulator.internal.motion.MotionCommand.Section;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Sections;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Spline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Timed;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem;
@@ -42,7 +42,7 @@ final class BlockResolver {
    */
   MotionCommand plan(long id, MotionOrder order, BlockOrder block, Joints start)
       throws KrlExecutionException {
-    List<Section> sections = sections(block);
+    Sections sections = new Sections(times(block), constants(block));
     if (!block.pointToPoint()) {
       return new Spline(
           id,
@@ -135,8 +135,8 @@ final class BlockResolver {
 
   // sections
 
-  private static List<Section> sections(BlockOrder block) throws KrlExecutionException {
-    List<Section> sections = times(block);
+  private static List<ConstantSpeed> constants(BlockOrder block) throws KrlExecutionException {
+    List<ConstantSpeed> sections = new ArrayList<>();
     PathPoint from = null;
     for (BlockOrder.ConstantVelocityLine line : block.constants()) {
       if (line.end() == (from == null)) {
@@ -154,8 +154,8 @@ final class BlockResolver {
   }
 
   /** Returns the sections of the time blocks, each with its part of the time of its block. */
-  private static List<Section> times(BlockOrder block) throws KrlExecutionException {
-    List<Section> sections = new ArrayList<>();
+  private static List<Timed> times(BlockOrder block) throws KrlExecutionException {
+    List<Timed> sections = new ArrayList<>();
     List<BlockOrder.TimeLine> parts = new ArrayList<>();
     BlockOrder.@Nullable TimeLine start = null;
     for (BlockOrder.TimeLine line : block.times()) {
@@ -179,7 +179,7 @@ final class BlockResolver {
   }
 
   private static void add(
-      List<Section> sections, int start, List<BlockOrder.TimeLine> parts, BlockOrder.TimeLine end)
+      List<Timed> sections, int start, List<BlockOrder.TimeLine> parts, BlockOrder.TimeLine end)
       throws KrlExecutionException {
     double sum = 0;
     for (BlockOrder.TimeLine part : parts) {

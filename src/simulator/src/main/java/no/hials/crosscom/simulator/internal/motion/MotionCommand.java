@@ -75,16 +75,13 @@ public sealed interface MotionCommand {
     }
   }
 
-  /** A section of a spline block whose speed is determined otherwise. */
-  sealed interface Section {}
-
   /**
    * A section at constant speed ({@code CONST_VEL}).
    *
    * @param from where it starts
    * @param to where it ends
    */
-  record ConstantSpeed(PathPoint from, PathPoint to) implements Section {}
+  record ConstantSpeed(PathPoint from, PathPoint to) {}
 
   /**
    * A section that takes some time ({@code TIME_BLOCK}).
@@ -93,7 +90,24 @@ public sealed interface MotionCommand {
    * @param to the point at which it ends
    * @param seconds the time at 100 % override; more if the robot is not that fast
    */
-  record Timed(int from, int to, double seconds) implements Section {}
+  record Timed(int from, int to, double seconds) {}
+
+  /**
+   * The sections of a spline block whose speed is determined otherwise.
+   *
+   * @param times planned first
+   * @param constants planned with the times of {@code times}
+   */
+  record Sections(List<Timed> times, List<ConstantSpeed> constants) {
+    /** No section. */
+    static final Sections NONE = new Sections(List.of(), List.of());
+
+    /** Copies the lists. */
+    public Sections {
+      times = List.copyOf(times);
+      constants = List.copyOf(constants);
+    }
+  }
 
   /**
    * Moves the TCP through points, as KRL's SPLINE.
@@ -103,7 +117,7 @@ public sealed interface MotionCommand {
   record Spline(
       long id,
       List<SplineSegment> segments,
-      List<Section> sections,
+      Sections sections,
       Frame tool,
       ApproximationZone approximation)
       implements MotionCommand {}
@@ -125,7 +139,7 @@ public sealed interface MotionCommand {
   record AxisSpline(
       long id,
       List<AxisSegment> segments,
-      List<Section> sections,
+      Sections sections,
       Frame tool,
       ApproximationZone approximation)
       implements MotionCommand {}

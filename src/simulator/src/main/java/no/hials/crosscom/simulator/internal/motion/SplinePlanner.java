@@ -11,7 +11,7 @@ import no.hials.crosscom.protocol.value.Frame;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSegment;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSpline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.ConstantSpeed;
-import no.hials.crosscom.simulator.internal.motion.MotionCommand.Section;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Sections;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Spline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Timed;
 import no.hials.crosscom.simulator.internal.motion.MotionProblem.AxisLimit;
@@ -227,25 +227,15 @@ final class SplinePlanner {
   // sections
 
   /** Lowers the speeds of sections with a time or a constant speed. */
-  private PathSegment timed(PathSegment segment, List<Section> sections)
-      throws MotionRefusedException {
-    if (sections.isEmpty() || segment.problem() != null) {
+  private PathSegment timed(PathSegment segment, Sections sections) throws MotionRefusedException {
+    if (sections.equals(Sections.NONE) || segment.problem() != null) {
       return segment;
     }
-    PathLimits limits = segment.limits();
-    List<Timed> times = new ArrayList<>();
-    for (Section section : sections) {
-      if (section instanceof Timed timed) {
-        times.add(timed);
-      }
-    }
-    limits = timed(limits, times, segment.path());
-    for (Section section : sections) {
-      if (section instanceof ConstantSpeed constant) {
-        double from = at(segment, constant.from());
-        double to = at(segment, constant.to());
-        limits = from < to ? constant(limits, from, to) : limits;
-      }
+    PathLimits limits = timed(segment.limits(), sections.times(), segment.path());
+    for (ConstantSpeed constant : sections.constants()) {
+      double from = at(segment, constant.from());
+      double to = at(segment, constant.to());
+      limits = from < to ? constant(limits, from, to) : limits;
     }
     return segment.withCorner(null, limits).withProfile(SampledProfile.of(limits));
   }

@@ -87,7 +87,8 @@ final class Ride {
   MotionCommand spline(List<SplineSegment> segments, ApproximationZone approximation)
       throws MotionRefusedException {
     return add(
-        new MotionCommand.Spline(++lastId, segments, List.of(), Frame.IDENTITY, approximation));
+        new MotionCommand.Spline(
+            ++lastId, segments, MotionCommand.Sections.NONE, Frame.IDENTITY, approximation));
   }
 
   long nextId() {

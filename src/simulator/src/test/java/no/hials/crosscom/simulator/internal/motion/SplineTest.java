@@ -15,7 +15,7 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Exact;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSegment;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSpline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.ConstantSpeed;
-import no.hials.crosscom.simulator.internal.motion.MotionCommand.Section;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Sections;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Spline;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.Timed;
 import no.hials.crosscom.simulator.internal.motion.MotionEvent.Passed;
@@ -343,7 +343,7 @@ class SplineTest {
   @Test
   void takesTheTimesOfATimeBlock() throws MotionRefusedException {
     Ride ride = new Ride(START);
-    List<Section> sections = List.of(new Timed(1, 3, 4), new Timed(3, 5, 6));
+    Sections sections = new Sections(List.of(new Timed(1, 3, 4), new Timed(3, 5, 6)), List.of());
     ride.add(new Spline(ride.nextId(), through(POINTS), sections, Frame.IDENTITY, new Exact()));
     ride.toTheEnd();
 
@@ -363,7 +363,8 @@ class SplineTest {
             third.shape(), null, third.target(), third.angle(), slower, third.orientation(), NONE));
     Ride ride = new Ride(START);
     ConstantSpeed section = new ConstantSpeed(new PathPoint(1, 10), new PathPoint(5, -10));
-    ride.add(new Spline(ride.nextId(), segments, List.of(section), Frame.IDENTITY, new Exact()));
+    Sections sections = new Sections(List.of(), List.of(section));
+    ride.add(new Spline(ride.nextId(), segments, sections, Frame.IDENTITY, new Exact()));
     ride.toTheEnd();
 
     List<Frame> flanges = ride.flanges();
@@ -388,7 +389,7 @@ class SplineTest {
     AxisRates rates = AxisRates.of(50, 100);
     List<AxisSegment> segments =
         targets.stream().map(target -> new AxisSegment(target, rates, NONE)).toList();
-    ride.add(new AxisSpline(ride.nextId(), segments, List.of(), Frame.IDENTITY, new Exact()));
+    ride.add(new AxisSpline(ride.nextId(), segments, Sections.NONE, Frame.IDENTITY, new Exact()));
     ride.override = 0.2;
     ride.toTheEnd();
 

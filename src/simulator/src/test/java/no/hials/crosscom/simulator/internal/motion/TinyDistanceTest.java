@@ -15,6 +15,7 @@ import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Orientation
 import no.hials.crosscom.simulator.internal.motion.ApproximationZone.Speed;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSegment;
 import no.hials.crosscom.simulator.internal.motion.MotionCommand.AxisSpline;
+import no.hials.crosscom.simulator.internal.motion.MotionCommand.Sections;
 import no.hials.crosscom.simulator.internal.motion.SplineSegment.Shape;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -179,7 +180,7 @@ class TinyDistanceTest {
     AxisRates rates = AxisRates.of(50, 100);
     List<AxisSegment> segments =
         points.stream().map(target -> new AxisSegment(target, rates, NONE)).toList();
-    ride.add(new AxisSpline(ride.nextId(), segments, List.of(), Frame.IDENTITY, new Exact()));
+    ride.add(new AxisSpline(ride.nextId(), segments, Sections.NONE, Frame.IDENTITY, new Exact()));
   }
 
   private static List<ApproximationZone> approximations() {
@@ -241,7 +242,7 @@ class TinyDistanceTest {
       List<AxisSegment> segments =
           points.stream().map(target -> new AxisSegment(target, rates, NONE)).toList();
       ride.add(
-          new AxisSpline(ride.nextId(), segments, List.of(), Frame.IDENTITY, new Distance(20)));
+          new AxisSpline(ride.nextId(), segments, Sections.NONE, Frame.IDENTITY, new Distance(20)));
     }
     ride.ptp(START);
     endsAt(FROM);

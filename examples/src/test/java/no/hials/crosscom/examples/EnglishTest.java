@@ -27,7 +27,7 @@ class EnglishTest {
       "anew|for want of|mend|bears?|in vain|seldom|whoever|(?-i:(?<!there )is none)|takes the"
           + " news|(?:end|result) to come|what came of|alike, too|for one thread|may stand"
           + " there|argument too many|it is not said|gone after it|is waited|to be had|the leave"
-          + " to|is what is left|it has enough|as it were|beside|behind it|for ever|stands in|was"
+          + " to|is what is left|it has enough|as it were|beside|behind it|behind each|for ever|stands in|was"
           + " not asked for|as of|(?-i:(?<![Tt]here )(?:is|are) no (?!longer|more))|the"
           + " (?:rest|rest of the file|last one) counts|put aside|read all the same|may take,"
           + " about|sees to it|values? of now|can no more";

@@ -15,6 +15,7 @@ import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class SharedReadingsTest {
@@ -135,6 +136,48 @@ class SharedReadingsTest {
       assertThat(values.path("$POS_ACT.X").has("value")).isTrue();
       assertThat(values.path("$POS_ACT.NO_FIELD").path("error").asText()).isNotEmpty();
     }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "C3_BRIDGE, '.X', '.Y'",
+    "KUKAVARPROXY, '.X', '.Y'",
+    "C3_BRIDGE, '.X', '.'",
+    "C3_BRIDGE, 'A\\u0000B', 'B'",
+    "C3_BRIDGE, 'A\\nB', ' '",
+    "KUKAVARPROXY, 'A\\nB', '\\uD83D\\uDE00'"
+  })
+  void aNameThatIsNoneHasAnErrorAndStopsNoOtherReading(ServerType type, String one, String other)
+      throws Exception {
+    try (TestPages pages = start(type);
+        TestSocket odd = pages.open(Role.VIEW);
+        TestSocket page = pages.open(Role.VIEW)) {
+      watch(odd, "['" + one + "']");
+      odd.send( // without a call, which drops the events before its answer
+          ("{'id':900,'do':'watch','robot':'mock','list':'list','period':20,'names':"
+                  + ("['" + one + "','" + other + "','MYREAL']}"))
+              .replace('\'', '"'));
+
+      Set<String> errors = new HashSet<>();
+      odd.await(
+          it -> {
+            it.path("values").properties().stream()
+                .filter(value -> !value.getValue().path("error").asText().isEmpty())
+                .forEach(value -> errors.add(value.getKey()));
+            return errors.size() == 2 && it.path("values").path("MYREAL").has("value");
+          });
+      assertThat(errors).containsExactlyInAnyOrder(name(one), name(other));
+      watch(page, "['MYINT']");
+      assertThat(page.awaitSamples("list").path("values").path("MYINT").has("value")).isTrue();
+      assertThat(page.call("checks", "robot", "'mock'", "on", "true").has("ok")).isTrue();
+      odd.call("unwatch", "robot", "'mock'", "list", "'list'");
+      pages.controller().variables().set("$OV_PRO", "37");
+      page.await(it -> it.path("override").asText().equals("37"));
+    }
+  }
+
+  private static String name(String json) {
+    return TestSocket.json("'" + json + "'").asText().strip();
   }
 
   @ParameterizedTest

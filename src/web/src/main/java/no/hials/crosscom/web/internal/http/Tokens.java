@@ -106,7 +106,7 @@ public final class Tokens {
    * @return the key of a new session, for the cookie; empty if the token is unknown, used or
    *     expired
    */
-  Optional<String> open(String token) {
+  public Optional<String> open(String token) {
     String key = random();
     BrowserSession browser;
     synchronized (this) {

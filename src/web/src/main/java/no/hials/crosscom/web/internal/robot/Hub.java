@@ -64,14 +64,30 @@ public final class Hub implements AutoCloseable {
    * @param names the variables, in any case
    * @param period the time from one reading to the next
    * @param listener called with the readings; variables with different periods arrive separately
+   * @throws IllegalArgumentException if a name cannot be that of a variable; the readings of others
+   *     continue
    */
   public Subscription subscribe(List<String> names, Duration period, Consumer<Readings> listener) {
     Subscription added = new Subscription(names, period, listener);
     synchronized (this) {
       subscriptions.add(added);
-      regroup();
+      try {
+        regroup();
+      } catch (IllegalArgumentException e) {
+        subscriptions.remove(added);
+        throw e;
+      }
     }
     return added;
+  }
+
+  /**
+   * Checks a name as {@link #subscribe} does.
+   *
+   * @throws IllegalArgumentException if it cannot be that of a variable
+   */
+  public static void checkName(String name) {
+    WatchConfig unused = WatchConfig.create(List.of(key(name)), cfg -> {});
   }
 
   /** The variables of one viewer. */
@@ -132,16 +148,32 @@ public final class Hub implements AutoCloseable {
     return PERIODS.stream().filter(it -> it <= period.toMillis()).reduce(PERIODS.get(0), Math::max);
   }
 
-  /** Starts and ends polls, so that they read what the subscriptions need. */
+  /**
+   * Starts and ends polls, so that they read what the subscriptions need.
+   *
+   * @throws IllegalArgumentException if a name cannot be that of a variable; no poll has changed
+   */
   private void regroup() {
     Map<Integer, SortedSet<String>> wanted = closed ? Map.of() : wanted();
+    Map<Integer, Poll> missing = new TreeMap<>();
+    wanted.forEach(
+        (period, names) -> {
+          Poll poll = polls.get(period);
+          if (poll == null || !poll.isFor(names)) {
+            missing.put(period, new Poll(period, names));
+          }
+        });
     for (Poll poll : List.copyOf(polls.values())) {
       if (!poll.isFor(wanted.get(poll.period))) {
         polls.remove(poll.period);
         poll.end();
       }
     }
-    wanted.forEach((period, names) -> polls.computeIfAbsent(period, it -> new Poll(it, names)));
+    missing.forEach(
+        (period, poll) -> {
+          polls.put(period, poll);
+          poll.begin();
+        });
   }
 
   /** Returns the variables to read, by the period. */
@@ -174,7 +206,7 @@ public final class Hub implements AutoCloseable {
   /** Returns the structure of a field, if it can be read as a whole. */
   private Optional<String> structure(String name) {
     int dot = name.indexOf('.');
-    return dot < 0 || name.indexOf('[', dot) >= 0
+    return dot <= 0 || name.indexOf('[', dot) >= 0
         ? Optional.empty()
         : Optional.of(name.substring(0, dot)).filter(it -> !indivisible.contains(it));
   }
@@ -183,25 +215,25 @@ public final class Hub implements AutoCloseable {
   private final class Poll {
     private final int period;
     private final SortedSet<String> names;
+    private final WatchConfig config;
     private volatile boolean ended;
-    private final Optional<Watch> watch;
+    private @Nullable Watch watch;
 
     Poll(int period, SortedSet<String> names) {
       this.period = period;
       this.names = names;
-      this.watch = watch();
+      this.config =
+          WatchConfig.create(
+              List.copyOf(names),
+              cfg -> cfg.period(Duration.ofMillis(period)).missedSamples(true).bufferSize(4));
     }
 
-    private Optional<Watch> watch() {
+    /** Starts the readings. */
+    void begin() {
       try {
-        WatchConfig config =
-            WatchConfig.create(
-                List.copyOf(names),
-                cfg -> cfg.period(Duration.ofMillis(period)).missedSamples(true).bufferSize(4));
-        return Optional.of(client.watch(config, this::sampled));
+        watch = client.watch(config, this::sampled);
       } catch (IOException e) {
         LOG.debug("the client is closed", e);
-        return Optional.empty();
       }
     }
 
@@ -212,7 +244,9 @@ public final class Hub implements AutoCloseable {
     /** Ends the readings. */
     void end() {
       ended = true;
-      watch.ifPresent(Watch::close);
+      if (watch != null) {
+        watch.close();
+      }
     }
 
     private void sampled(Sample sample) {

@@ -2,16 +2,19 @@ package no.hials.crosscom.web.internal.robot;
 
 import java.io.IOException;
 import java.time.Duration;
+import java.time.Instant;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.WebConfig;
+import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
@@ -74,19 +77,22 @@ public final class RobotSessions implements AutoCloseable {
       if (subscriptions.size() >= MAX_LISTS) {
         throw new CommandException("a page can have at most " + MAX_LISTS + " lists");
       }
-      if (names.isEmpty() || closed) {
-        return;
-      }
-      if (names.stream().anyMatch(String::isBlank)) {
-        throw new CommandException("a name is blank");
-      }
       String head = head(robot, list);
       Viewer viewer = call.viewer();
+      Map<String, ReadOutcome> refused = refused(names);
+      if (!refused.isEmpty()) {
+        Readings none = new Readings(Instant.now(), Duration.ZERO, refused);
+        viewer.sendText(key + refused.keySet(), head + none.json() + "}");
+      }
+      List<String> good = names.stream().filter(it -> !refused.containsKey(Hub.key(it))).toList();
+      if (good.isEmpty() || closed) {
+        return;
+      }
       Hub.Subscription added =
           robot
               .hub()
               .subscribe(
-                  names,
+                  good,
                   period,
                   readings ->
                       // readings of other periods have other variables: they do not replace these
@@ -96,6 +102,23 @@ public final class RobotSessions implements AutoCloseable {
         added.pause(true);
       }
       subscriptions.put(key, added);
+    }
+
+    /**
+     * Returns the names that cannot be those of variables, each with the reason in place of a
+     * value, so that the page shows the reason there and reads the others.
+     */
+    private static Map<String, ReadOutcome> refused(List<String> names) {
+      Map<String, ReadOutcome> refused = new TreeMap<>();
+      for (String name : names) {
+        try {
+          Hub.checkName(name);
+        } catch (IllegalArgumentException e) {
+          String reason = String.valueOf(e.getMessage());
+          refused.put(Hub.key(name), new ReadOutcome(null, reason, false));
+        }
+      }
+      return refused;
     }
 
     /** Returns the beginning of an event, up to its readings. */

@@ -128,14 +128,21 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     }
   }
 
-  /** Marks the viewer as closed and runs its closing tasks; a second call does nothing. */
+  /**
+   * Marks the viewer as closed and runs its closing tasks, whatever one of them throws; a second
+   * call does nothing.
+   */
   private void leave() {
     closed = true;
     sockets.remove(this);
     for (Runnable task : List.copyOf(atClose)) {
       // unless atClose has run it
       if (atClose.remove(task)) {
-        task.run();
+        try {
+          task.run();
+        } catch (RuntimeException e) { // the others free robots and stop readings
+          LOG.warn("a task at the end of a page of {} failed", name(), e);
+        }
       }
     }
   }

@@ -8,6 +8,7 @@ import { call, onEvent } from '../socket.js';
 import { mayOperate, note, state, useSharedState } from '../state.js';
 
 export const PERIODS = [50, 100, 250, 500, 1000, 5000];
+const MAX_CHARACTERS = 255; // the server refuses a whole list with a longer name
 const DEFAULT = {
   name: '',
   period: 250,
@@ -18,7 +19,11 @@ function stored() {
   try {
     const list = JSON.parse(localStorage.getItem(`watch-list/${state.robot}`));
     return Array.isArray(list.names)
-      ? { name: String(list.name), period: Number(list.period), names: list.names.map(String) }
+      ? {
+          name: String(list.name),
+          period: Number(list.period),
+          names: list.names.map(String).filter((name) => name.length <= MAX_CHARACTERS),
+        }
       : DEFAULT;
   } catch {
     return DEFAULT;

@@ -104,6 +104,7 @@ export function Search({ names, onAdd }) {
       type: 'search',
       placeholder: 'Name, meaning, unit …',
       'aria-label': 'Search variables',
+      maxLength: 200, // as the server searches
       value: text,
       onInput: (event) => setText(event.target.value),
       onKeyDown: (event) => {

@@ -2,11 +2,13 @@
 
 import { h } from 'preact';
 import { useState } from 'preact/hooks';
-import { useSharedState } from '../state.js';
+import { note, useSharedState } from '../state.js';
 import { Edit } from '../variables/edit.js';
 import { Lists, useList } from '../variables/lists.js';
 import { Search } from '../variables/search.js';
 import { useHistory, WatchTable } from '../variables/table.js';
+
+const MAX_NAMES = 500; // as the server watches
 
 export function View() {
   useSharedState();
@@ -16,7 +18,9 @@ export function View() {
   const history = useHistory(list);
   const add = (name) => {
     const key = name.toUpperCase();
-    if (!list.names.includes(key)) {
+    if (list.names.length >= MAX_NAMES) {
+      note('error', `A list can have at most ${MAX_NAMES} variables.`);
+    } else if (!list.names.includes(key)) {
       change({ names: [...list.names, key] });
     }
   };

@@ -98,6 +98,36 @@ class RobotModelTest {
     }
   }
 
+  @ParameterizedTest
+  @EnumSource(ServerType.class)
+  void aRobotAndLimitsThatHaveChangedAreReadAgain(ServerType type) throws Exception {
+    try (TestPages pages = TestPages.startRemote(type, folder, cfg -> {})) {
+      assertThat(all(model(pages), "maximum").get(0)).isEqualTo(170);
+
+      pages.controller().variables().set("$SOFTP_END[1]", "31.0");
+      assertThat(all(model(pages), "maximum").get(0)).isEqualTo(31);
+
+      pages.controller().variables().set("$TRAFONAME[]", "\"#KR10R1100_2 C4 FLR\"");
+      assertThat(model(pages).path("name").asText()).isEqualTo("KR 10 R1100-2");
+    }
+  }
+
+  @Test
+  void theHeaderCountsConnectionsSinceAPageMayMissAShortLoss() throws Exception {
+    try (TestPages pages = TestPages.startRemote(ServerType.C3_BRIDGE, folder, cfg -> {});
+        TestSocket socket = pages.open(Role.VIEW)) {
+      JsonNode before = socket.await(it -> it.path("mode").asText().equals("#T1"));
+
+      pages.controller().disconnectClients();
+
+      long count = before.path("connections").asLong();
+      socket.await(
+          it ->
+              it.path("connections").asLong() > count
+                  && it.path("connection").asText().equals("connected"));
+    }
+  }
+
   /** Starts a page with a robot of another process whose variables are prepared. */
   private TestPages startReal(ServerType type, Consumer<VariableTable> variables)
       throws IOException {

@@ -4,8 +4,9 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.Map;
-import java.util.Optional;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.kinematics.ArmGeometry;
 import no.hials.crosscom.kinematics.RobotModel;
 import no.hials.crosscom.protocol.value.Axis;
@@ -16,14 +17,14 @@ import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.Commands;
 import no.hials.crosscom.web.internal.socket.Json;
+import org.jspecify.annotations.Nullable;
 
 /** Sends pages the geometry of a robot: its arm, its place, and the linear unit that carries it. */
 public final class ModelCommands {
   private final RobotSessions robots;
   private final ShapeFiles shapes;
 
-  /** The geometry of real robots, whose machine data do not change while they run. */
-  private final Map<RobotSession, RobotGeometry> known = new ConcurrentHashMap<>();
+  private final Map<RobotSession, Reader> readings = new ConcurrentHashMap<>();
 
   public ModelCommands(RobotSessions robots, ShapeFiles shapes) {
     this.robots = robots;
@@ -69,16 +70,47 @@ public final class ModelCommands {
   }
 
   private RobotGeometry geometry(RobotSession robot) throws IOException {
-    RobotGeometry before = known.get(robot);
-    if (before != null) {
-      return before;
+    return readings.computeIfAbsent(robot, Reader::new).read();
+  }
+
+  /**
+   * Reads the geometry of one robot. It may change at any time, but those who ask while it is being
+   * read share the next reading: all pages ask at once after a reconnection.
+   */
+  private static final class Reader {
+    private final RobotSession robot;
+    private final AtomicLong begun = new AtomicLong();
+
+    // guarded by this
+    private long number;
+    private @Nullable RobotGeometry last;
+    private @Nullable IOException failure;
+
+    Reader(RobotSession robot) {
+      this.robot = robot;
     }
-    Optional<RobotModel> simulated = robot.simulation().map(it -> it.controller().model());
-    RobotGeometry found = RobotGeometry.find(robot.client(), simulated);
-    if (simulated.isEmpty()) {
-      known.put(robot, found);
+
+    RobotGeometry read() throws IOException {
+      long before = begun.get();
+      synchronized (this) {
+        if (number <= before) { // no reading has begun since the call
+          number = begun.incrementAndGet();
+          last = null;
+          failure = null;
+          try {
+            last =
+                RobotGeometry.find(
+                    robot.client(), robot.simulation().map(it -> it.controller().model()));
+          } catch (IOException e) {
+            failure = e;
+          }
+        }
+        if (failure != null) {
+          throw failure;
+        }
+        return Objects.requireNonNull(last);
+      }
     }
-    return found;
   }
 
   private static ObjectNode json(Frame frame) {

@@ -50,6 +50,10 @@ final class Header {
   private final Map<String, ReadOutcome> values = new HashMap<>();
 
   private String connection = "connecting";
+
+  /** A page that misses a short loss sees by it that the controller may be another one. */
+  private long connections;
+
   private String reason = "";
 
   Header(RobotSession robot) {
@@ -116,6 +120,8 @@ final class Header {
       if (event.kind() != ConnectionChange.CONNECTED
           && event.kind() != ConnectionChange.RECONNECTED) {
         setLost(event.cause() == null ? "" : String.valueOf(event.cause().getMessage()));
+      } else {
+        connections++;
       }
     }
     send();
@@ -149,6 +155,7 @@ final class Header {
     event.put("simulated", robot.simulation().isPresent());
     event.put("connection", connection);
     event.put("reason", reason);
+    event.put("connections", connections);
     event.put("period_ms", PERIOD.toMillis());
     Readings readings = last;
     if (readings != null) {

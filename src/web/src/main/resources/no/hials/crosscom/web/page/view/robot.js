@@ -67,11 +67,11 @@ function replayed(player, jumped, listener) {
   return player.follow(show);
 }
 
-/** Shows the model of the server; asks again after a connection was lost. */
+/** Shows the model of the server; asks again with each connection: it may be another robot. */
 function useModel() {
   const [model, setModel] = useState(null);
   const { socket } = useSharedState();
-  const { connection } = header();
+  const { connection, connections } = header();
   useEffect(() => {
     let wanted = true;
     call('model', { robot: state.robot })
@@ -83,22 +83,30 @@ function useModel() {
       })
       .catch((e) => wanted && connection === 'connected' && note('error', e.message));
     return () => (wanted = false);
-  }, [socket, connection]);
+  }, [socket, connection, connections]);
   return model;
 }
 
-/** Loads the shapes of links from the folder of the server, one after the other. */
-async function loadShapes(scene, model) {
+/** Loads the shapes of links from the folder of the server; `failed` is told of each that fails. */
+async function loadShapes(scene, model, failed) {
   if (model.shapes.length === 0) {
     return;
   }
   const { STLLoader } = await import('three/stl-loader');
   for (const link of model.shapes) {
-    const answer = await fetch(`/shapes/${link}.stl`);
-    if (!answer.ok) {
-      throw new Error(await answer.text());
+    try {
+      const answer = await fetch(`/shapes/${link}.stl`);
+      if (!answer.ok) {
+        throw new Error(await answer.text());
+      }
+      const shape = new STLLoader().parse(await answer.arrayBuffer());
+      if (!shape.getAttribute('position')?.count) {
+        throw new Error('it has no triangle');
+      }
+      scene.setShape(link, shape);
+    } catch (e) {
+      failed(`${link}.stl is not shown: ${e.message}`); // the others are
     }
-    scene.setShape(link, new STLLoader().parse(await answer.arrayBuffer()));
   }
 }
 
@@ -136,7 +144,8 @@ function usePicture(canvas, model, latest) {
           dark.addEventListener('change', theme);
           observer.observe(document.documentElement, { attributeFilter: ['data-theme'] });
           show(picture.current, model, latest.current);
-          loadShapes(picture.current, model).catch((e) => wanted && note('error', e.message));
+          const failed = (text) => wanted && note('error', text);
+          loadShapes(picture.current, model, failed).catch((e) => failed(e.message));
         }
       })
       .catch((e) => wanted && setFailure(e.message));

@@ -6,10 +6,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Base64;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
 import no.hials.crosscom.simulator.Message;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -165,13 +170,92 @@ class ProgramsTest {
     pages.controller().controller().robot().select("WORK");
 
     assertThat(change("program-order", "order", "'start'")).endsWith("the robot is locked");
-    assertThat(change("program-stop")).endsWith("the robot is locked");
     assertThat(change("program-select", "name", "'/R1/WORK.SRC'")).endsWith("the robot is locked");
     assertThat(upload("new.src", PROGRAM, "false")).endsWith("the robot is locked");
     assertThat(change("confirm")).endsWith("the robot is locked");
     assertThat(change("answer", "question", "'?'", "key", "1")).endsWith("the robot is locked");
     assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
     assertThat(String.valueOf(lastAudit())).contains("answer", "the robot is locked");
+  }
+
+  @Test
+  void aProgramIsStoppedWhileTheRobotIsLocked() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    load("watch.sub", "DEF WATCH ( )\nLOOP\nENDLOOP\nEND\n");
+    pages.controller().controller().submit().select("WATCH");
+    assertThat(change("program-order", "order", "'start'", "interpreter", "'submit'")).isEmpty();
+    socket.call("lock", "robot", "'mock'", "locked", "true");
+
+    assertThat(change("program-stop", "interpreter", "'submit'")).isEmpty();
+
+    assertThat(variable("$PRO_STATE0")).isEqualTo("#P_STOP");
+  }
+
+  @Test
+  void aReadOnlyRobotIsNotStopped() throws Exception {
+    pages = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.readOnly(true));
+    socket = pages.open(Role.OPERATE);
+
+    assertThat(change("program-stop")).contains("did not stop", "--read-only");
+    assertThat(stops()).isZero();
+  }
+
+  private long stops() {
+    return pages.controller().requests().stream().filter(ProgramsTest::isStop).count();
+  }
+
+  private static boolean isStop(RecordedRequest request) {
+    return request.request() instanceof ProgramControlRequest;
+  }
+
+  @Test
+  void aStopWithoutAnAnswerDelaysNothingElseAndIsNotSentAgain() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    CountDownLatch released = new CountDownLatch(1);
+    pages.controller().fault(ProgramsTest::isStop, Fault.hold(released));
+    for (String message :
+        List.of(
+            "{'id':901,'do':'program-stop','robot':'mock'}",
+            "{'id':902,'do':'program-stop','robot':'mock'}",
+            "{'id':903,'do':'ping'}",
+            "{'id':904,'do':'lock','robot':'mock','locked':true}")) {
+      socket.send(message.replace('\'', '"'));
+    }
+
+    List<Integer> answers = new ArrayList<>();
+    socket.await(
+        it -> {
+          if (it.path("id").asInt() > 900) {
+            answers.add(it.path("id").asInt());
+          }
+          return answers.size() == 2;
+        });
+    assertThat(answers).containsExactly(903, 904);
+    released.countDown();
+    socket.await(
+        it -> {
+          if (it.path("id").asInt() > 900) {
+            assertThat(it.has("ok")).as("%s", it).isTrue();
+            answers.add(it.path("id").asInt());
+          }
+          return answers.size() == 4;
+        });
+    assertThat(answers).containsExactlyInAnyOrder(903, 904, 901, 902);
+    assertThat(stops()).isEqualTo(1);
+  }
+
+  @Test
+  void aFailedStopSaysWhetherItWasSent() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    socket.await(it -> it.path("connection").asText().equals("connected"));
+    pages.controller().fault(ProgramsTest::isStop, Fault.dropAnswer());
+    assertThat(change("program-stop")).startsWith("the stop was sent, but not answered: ");
+
+    pages.controller().refuseConnections();
+    pages.controller().disconnectClients();
+    socket.await(it -> it.path("connection").asText().equals("lost"));
+
+    assertThat(change("program-stop")).startsWith("the stop was not sent: ");
   }
 
   @Test

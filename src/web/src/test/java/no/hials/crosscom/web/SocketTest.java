@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
 import java.util.concurrent.atomic.AtomicBoolean;
+import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
@@ -153,6 +154,20 @@ class SocketTest {
       assertThat(socket.call("lock", "robot", "'mock'", "locked", "false").path("error").asText())
           .contains("--read-only");
       assertThat(write(socket, "50").path("error").asText()).contains("--read-only");
+    }
+  }
+
+  @Test
+  void aReadOnlyRobotIsExplainedWithoutTheFolderOfTheConfiguration() throws Exception {
+    String reason = "read-only = true in /home/somebody/config.toml:3";
+    Robot robot = new Robot("mock", null, 0, null, reason, ServerType.C3_BRIDGE, null);
+    try (TestPages own =
+            TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.robots(List.of(robot)));
+        TestSocket socket = own.open(Role.OPERATE)) {
+      assertThat(socket.awaitEvent("header").path("lock").path("read_only_by").asText())
+          .isEqualTo("read-only = true in config.toml:3");
+      assertThat(write(socket, "50").path("error").asText())
+          .endsWith(": read-only = true in config.toml:3");
     }
   }
 

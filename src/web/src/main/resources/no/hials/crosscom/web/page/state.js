@@ -167,6 +167,11 @@ export function mayWrite() {
   return mayOperate() && header().lock?.open === true && state.socket === 'open';
 }
 
+/** Returns whether this browser may stop the chosen robot now, which needs no unlocking. */
+export function mayStop() {
+  return mayOperate() && !header().lock?.read_only_by && state.socket === 'open';
+}
+
 /** Returns whether the role of this browser allows changes at all. */
 export function mayOperate() {
   return state.who.role !== 'VIEW';

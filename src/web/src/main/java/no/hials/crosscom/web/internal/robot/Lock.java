@@ -2,7 +2,7 @@ package no.hials.crosscom.web.internal.robot;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.WritePermission;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
@@ -10,18 +10,40 @@ import no.hials.crosscom.web.internal.socket.Json;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The lock of a robot, which refuses changes until somebody unlocks it on the page. Thread-safe.
+ * The lock of a robot, which refuses changes until somebody unlocks it on the page; only a stop
+ * needs no unlocking. Thread-safe.
  */
 public final class Lock {
-  private final RobotConnection connection;
+  private final Robot robot;
   private final boolean readOnly;
   private final WritePermission permission;
   private volatile @Nullable String openedBy;
 
-  Lock(RobotConnection connection, boolean readOnly) {
-    this.connection = connection;
+  Lock(Robot robot, boolean readOnly) {
+    this.robot = withoutFolder(robot);
     this.readOnly = readOnly;
     permission = new WritePermission(true, readOnly, new NoQuestions()); // the page has asked
+  }
+
+  /**
+   * Returns a robot whose {@code read-only = true in FILE} has only the name of the file: pages
+   * need not know its folder.
+   */
+  private static Robot withoutFolder(Robot robot) {
+    String reason = robot.readOnlyBy();
+    if (reason == null || !reason.contains(" in ")) {
+      return robot;
+    }
+    int start = reason.indexOf(" in ") + " in ".length();
+    int name = Math.max(reason.lastIndexOf('/'), reason.lastIndexOf('\\')) + 1;
+    return new Robot(
+        robot.name(),
+        robot.host(),
+        robot.port(),
+        robot.timeout(),
+        reason.substring(0, start) + reason.substring(Math.max(name, start)),
+        robot.server(),
+        robot.charset());
   }
 
   /**
@@ -32,7 +54,7 @@ public final class Lock {
    * @throws IOException if it is not allowed
    */
   public void check(Call call, String what) throws IOException {
-    permission.checkAllowed(connection.robot(), what);
+    permission.checkAllowed(robot, what);
     if (openedBy == null) {
       throw new CommandException("did not " + what + ": the robot is locked");
     }
@@ -42,13 +64,24 @@ public final class Lock {
   }
 
   /**
+   * Checks that a stop is allowed: unless the robot is read-only. It makes a robot safer, so it
+   * needs neither an unlocked robot nor a confirmation, like {@code program stop}.
+   *
+   * @param what the operation, such as {@code stop the program}
+   * @throws IOException if it is not allowed
+   */
+  public void checkStop(String what) throws IOException {
+    permission.checkAllowed(robot, what);
+  }
+
+  /**
    * Unlocks the robot.
    *
    * @param who the person, for the header
    * @throws IOException if the robot is read-only
    */
   void open(String who) throws IOException {
-    permission.checkAllowed(connection.robot(), "unlock the robot");
+    permission.checkAllowed(robot, "unlock the robot");
     openedBy = who;
   }
 
@@ -62,7 +95,7 @@ public final class Lock {
   }
 
   ObjectNode json() {
-    String readOnlyBy = readOnly ? "--read-only" : connection.robot().readOnlyBy();
+    String readOnlyBy = readOnly ? "--read-only" : robot.readOnlyBy();
     return Json.object()
         .put("open", openedBy != null)
         .put("by", openedBy)

@@ -53,7 +53,7 @@ public final class RobotSession implements AutoCloseable {
     this.name = robot.name().isEmpty() ? DEFAULT_NAME : robot.name();
     this.connection = connection;
     hub = new Hub(connection.client());
-    lock = new Lock(connection, readOnly);
+    lock = new Lock(connection.robot(), readOnly);
     header = new Header(this);
   }
 

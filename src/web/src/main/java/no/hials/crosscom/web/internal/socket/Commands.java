@@ -26,16 +26,26 @@ public final class Commands {
    * A command and its requirements.
    *
    * @param role the role that may call it
-   * @param quick whether it never waits, and so needs no own thread
+   * @param urgency when it runs, and in which thread
    */
-  private record Entry(Role role, boolean quick, Command command) {}
+  private record Entry(Role role, Urgency urgency, Command command) {}
+
+  /** When a command runs. */
+  enum Urgency {
+    /** After the earlier commands of its viewer. */
+    IN_ORDER,
+    /** At once, in its own thread. */
+    OVERTAKING,
+    /** At once, in the thread of the socket. */
+    QUICK
+  }
 
   /**
    * Adds a command that may wait for a robot or a file. One viewer's commands run in order. A
    * command for a higher role than {@link Role#VIEW} changes something, and needs a recent time.
    */
   public void add(String name, Role role, Command command) {
-    put(name, new Entry(role, false, command));
+    put(name, new Entry(role, Urgency.IN_ORDER, command));
   }
 
   /**
@@ -43,7 +53,15 @@ public final class Commands {
    * and however old it is.
    */
   public void addQuick(String name, Role role, Command command) {
-    put(name, new Entry(role, true, command));
+    put(name, new Entry(role, Urgency.QUICK, command));
+  }
+
+  /**
+   * Adds a command that may wait for a robot or a file, but not for earlier commands of the viewer,
+   * such as one that stops something. It runs however old it is.
+   */
+  public void addOvertaking(String name, Role role, Command command) {
+    put(name, new Entry(role, Urgency.OVERTAKING, command));
   }
 
   private void put(String name, Entry entry) {
@@ -52,10 +70,10 @@ public final class Commands {
     }
   }
 
-  /** Returns whether a message can be answered at once. */
-  boolean isQuick(JsonNode message) {
+  /** Returns when the command of a message runs; one that does not exist is answered at once. */
+  Urgency urgency(JsonNode message) {
     Entry entry = entry(message);
-    return entry == null || entry.quick;
+    return entry == null ? Urgency.QUICK : entry.urgency;
   }
 
   private @Nullable Entry entry(JsonNode message) {
@@ -80,7 +98,7 @@ public final class Commands {
     ObjectNode result = Json.object();
     Call call = new Call(viewer, message);
     try {
-      if (!entry.quick && entry.role != Role.VIEW) {
+      if (entry.urgency == Urgency.IN_ORDER && entry.role != Role.VIEW) {
         call.checkAge();
       }
       entry.command.run(call, result);

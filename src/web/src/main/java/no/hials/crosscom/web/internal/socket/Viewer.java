@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Executor;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.http.BrowserSession;
@@ -25,6 +26,9 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private static final int MESSAGES_IN_A_BURST = 400;
   private static final int MAX_WAITING_COMMANDS = 64;
 
+  /** More than a person at a page stops at a time, each in a thread. */
+  private static final int MAX_OVERTAKING = 16;
+
   private static final int POLICY_VIOLATION = 1008;
 
   private static final AtomicLong COUNT = new AtomicLong();
@@ -37,6 +41,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private final RateLimit rate = new RateLimit(MESSAGES_PER_SECOND, MESSAGES_IN_A_BURST);
   private final Outbox outbox = new Outbox();
   private final List<Runnable> atClose = new CopyOnWriteArrayList<>();
+  private final Semaphore overtaking = new Semaphore(MAX_OVERTAKING);
   private volatile @Nullable Session session;
   private volatile boolean closed;
 
@@ -181,10 +186,10 @@ public final class Viewer implements Session.Listener.AutoDemanding {
       reply(error(null, "the message is not JSON"));
       return;
     }
-    if (message.isObject() && !commands.isQuick(message)) {
-      enqueue(message);
-    } else {
-      reply(commands.answer(this, message));
+    switch (message.isObject() ? commands.urgency(message) : Commands.Urgency.QUICK) {
+      case IN_ORDER -> enqueue(message);
+      case OVERTAKING -> overtake(message);
+      case QUICK -> reply(commands.answer(this, message));
     }
   }
 
@@ -213,6 +218,22 @@ public final class Viewer implements Session.Listener.AutoDemanding {
       }
     }
     reply(error(message.get("id"), "too many commands wait"));
+  }
+
+  /** Runs a command now, while others wait. */
+  private void overtake(JsonNode message) {
+    if (overtaking.tryAcquire()) {
+      workers.execute(
+          () -> {
+            try {
+              reply(commands.answer(this, message));
+            } finally {
+              overtaking.release();
+            }
+          });
+    } else {
+      reply(error(message.get("id"), "too many commands wait"));
+    }
   }
 
   /** Runs the waiting commands, one after the other. */

@@ -51,6 +51,7 @@ export function Checks() {
   const first = checks.find((one) => one.state === 'problem');
   const unknown = checks.filter((one) => one.state === 'unknown').length;
   const old = useStale(() => event?.time, OLD);
+  const moving = event?.moving && !old;
   const words = !event
     ? 'Reading …'
     : first && (old || !event.moving)
@@ -66,7 +67,7 @@ export function Checks() {
     'section',
     { class: `panel checks ${old ? 'stale' : ''}`, 'aria-label': 'Why does it not move?' },
     h('h2', null, 'Why does it not move?'),
-    h('p', { class: `verdict ${old || !event ? 'old' : first || unknown === checks.length ? 'problem' : 'ok'}`, 'aria-live': 'polite' }, words),
+    h('p', { class: `verdict ${old || !event ? 'old' : !moving && (first || unknown === checks.length) ? 'problem' : 'ok'}`, 'aria-live': 'polite' }, words),
     h(
       'details',
       { open },

@@ -1,8 +1,9 @@
 // The two interpreters: their programs, their states and their buttons.
 
 import { h } from 'preact';
+import { useState } from 'preact/hooks';
 import { call } from '../socket.js';
-import { header, mayWrite, note, useRobot, writeHint } from '../state.js';
+import { header, mayStop, mayWrite, note, useRobot, writeHint } from '../state.js';
 import { percentText } from '../value.js';
 
 const STATES = {
@@ -82,6 +83,18 @@ async function stop(robot, interpreter) {
   }
 }
 
+/** Stops the program, also while the robot is locked; one stop at a time. */
+function Stop({ robot, interpreter, bridge }) {
+  const [busy, setBusy] = useState(false);
+  const press = async () => {
+    setBusy(true);
+    await stop(robot, interpreter);
+    setBusy(false);
+  };
+  const disabled = busy || !mayStop() || !bridge;
+  return h('button', { class: 'stop', disabled, onClick: press }, busy ? 'Stopping …' : 'Stop');
+}
+
 function Interpreter({ interpreter, title, program, programState, hint, bridge, onAsk }) {
   const robot = useRobot();
   const may = mayWrite() && bridge;
@@ -116,7 +129,7 @@ function Interpreter({ interpreter, title, program, programState, hint, bridge, 
       'div',
       { class: 'buttons' },
       order('start', 'Start …', selected && !active, 'main'),
-      h('button', { class: 'stop', disabled: !may, onClick: () => stop(robot, interpreter) }, 'Stop'),
+      h(Stop, { robot, interpreter, bridge }),
       order('reset', 'Reset …', selected),
       order('cancel', 'Deselect …', selected && !active),
     ),
@@ -157,7 +170,7 @@ export function Interpreters({ known, values, stale, onAsk }) {
         'p',
         { class: 'hint' },
         'Stop works only while the network works. It is not an emergency stop.',
-        ` ${writeHint('to use the buttons')}`,
+        ` ${writeHint('to use the other buttons')}`,
       ),
   );
 }

@@ -19,11 +19,14 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.StringJoiner;
+import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.cell.recording.RecordedData;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -248,6 +251,78 @@ class RecordingTest {
           .isEqualTo(
               "a recording that is opened may have at most 4194304 numbers, this one has more;"
                   + " download it instead\n");
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "5.0, 3.2, 'row 2 must have the seconds of a later time, has 3.2 after 5.0'",
+    "0.0, Infinity, 'row 2 must have the seconds of a later time, has Infinity after 0.0'"
+  })
+  void aRecordingWhoseTimesAreNotInOrderIsOnlyDownloaded(String first, String second, String reason)
+      throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      String row = FIRST + ",%s,100,1.0,\n";
+      Files.writeString(
+          files.resolve("a.csv"),
+          "time,seconds,$OV_PRO,access_ms,status\n" + row.formatted(first) + row.formatted(second));
+      String line = "{\"time\":\"" + FIRST + "\",\"seconds\":%s,\"values\":{\"A\":1}}\n";
+      Files.writeString(
+          files.resolve("a.jsonl"),
+          line.formatted(first) + line.formatted(second.replace("Infinity", "1e999")));
+
+      String cookie = pages.login(Role.VIEW);
+      for (String file : List.of("a.csv", "a.jsonl")) {
+        HttpResponse<String> answer =
+            pages.get(pages.at("/recordings/" + file + "/columns"), "Cookie", cookie);
+
+        assertThat(answer.statusCode()).isEqualTo(422);
+        assertThat(answer.body().replace("line 2", "row 2"))
+            .isEqualTo(reason + "; download the recording instead\n");
+      }
+    }
+  }
+
+  @Test
+  void aLinkIsNoRecording() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      Path secret = Files.writeString(folder.resolve("secret"), "another file");
+      Files.createSymbolicLink(files.resolve("a.csv"), secret);
+      Files.createSymbolicLink(files.resolve("b.csv"), folder.resolve("missing"));
+
+      HttpResponse<String> answer =
+          pages.get(pages.at("/recordings/a.csv"), "Cookie", pages.login(Role.VIEW));
+
+      assertThat(answer.statusCode()).isEqualTo(404);
+      assertThat(files(socket)).isEmpty();
+      assertThat(start(socket, "b", "csv", "['$OV_PRO']").path("error").asText())
+          .isEqualTo("there is already a recording b.csv");
+    }
+  }
+
+  @Test
+  void aStopOfARecordingDoesNotWaitForOneThatStarts() throws Exception {
+    CountDownLatch released = new CountDownLatch(1);
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE);
+        TestSocket other = pages.open(Role.VIEW)) {
+      pages.controller().fault(request -> request.names().contains("MYINT"), Fault.hold(released));
+      socket.send(
+          ("{'id':900,'do':'record-start','robot':'mock','name':'first','names':['MYINT'],"
+                  + ("'period':20,'format':'csv','clock':" + socket.clock() + "}"))
+              .replace('\'', '"'));
+      while (pages.controller().requests().stream().noneMatch(it -> it.names().contains("MYINT"))) {
+        other.call("ping");
+      }
+
+      socket.send("{'id':901,'do':'record-stop','file':'none.csv'}".replace('\'', '"'));
+      assertThat(socket.await(it -> it.path("id").asInt() >= 900).path("id").asInt())
+          .isEqualTo(901);
+    } finally {
+      released.countDown();
     }
   }
 

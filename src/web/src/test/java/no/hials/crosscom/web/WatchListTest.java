@@ -110,7 +110,18 @@ class WatchListTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"''", "'../x'", "'a/b'", "'.hidden'", "'CON:'", "' a'", "'a '", "'a\\u0000'"})
+      strings = {
+        "''",
+        "'../x'",
+        "'a/b'",
+        "'.hidden'",
+        "'CON:'",
+        "'con'",
+        "'NUL'",
+        "' a'",
+        "'a '",
+        "'a\\u0000'"
+      })
   void aNameThatIsNoFileIsRefused(String name) throws Exception {
     assertThat(save(name, "250", "['X']").path("error").asText())
         .as(name)

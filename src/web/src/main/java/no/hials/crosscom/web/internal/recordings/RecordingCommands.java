@@ -9,10 +9,12 @@ import java.time.Duration;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Sampling;
 import no.hials.crosscom.cell.Units;
@@ -46,6 +48,9 @@ public final class RecordingCommands implements AutoCloseable {
   /** The recordings that are being written, by their files; guarded by this. */
   private final Map<String, RecordingInProgress> running = new LinkedHashMap<>();
 
+  /** The files of recordings whose robot has not answered yet; guarded by this. */
+  private final Set<Path> starting = new HashSet<>();
+
   public RecordingCommands(Path folder, RobotSessions robots, AuditLog audit, Sockets sockets) {
     this.robots = robots;
     this.audit = audit;
@@ -62,7 +67,7 @@ public final class RecordingCommands implements AutoCloseable {
   public void addTo(Commands commands) {
     commands.add("recordings", Role.VIEW, (call, answer) -> list(answer));
     commands.add("record-start", Role.OPERATE, this::start);
-    commands.add("record-stop", Role.OPERATE, this::stop);
+    commands.addOvertaking("record-stop", Role.OPERATE, this::stop);
     commands.add("recording-delete", Role.OPERATE, this::delete);
     commands.addQuick("units", Role.VIEW, this::units);
   }
@@ -96,16 +101,29 @@ public final class RecordingCommands implements AutoCloseable {
     }
     boolean jsonLines = format.equals("jsonl");
     String name = call.optionalText("name").orElseGet(() -> defaultName(robot));
-    RecordingInProgress started;
+    Path file;
     synchronized (this) {
-      if (running.size() >= MAX_RUNNING) {
+      if (running.size() + starting.size() >= MAX_RUNNING) {
         throw new CommandException(
             "there are " + MAX_RUNNING + " recordings already: stop one first");
       }
-      Path file = files.newFile(name, jsonLines);
+      file = files.newFile(name, jsonLines);
+      if (!starting.add(file)) {
+        throw new CommandException("there is already a recording " + file.getFileName());
+      }
+    }
+    RecordingInProgress started;
+    try {
       Sampling.SamplingPlan plan = new Sampling.SamplingPlan(names, period, null, Long.MAX_VALUE);
+      // waits for the robot, while other recordings can be stopped
       started = RecordingInProgress.start(robot, plan, file, jsonLines, this::changed);
-      running.put(started.file(), started);
+      synchronized (this) {
+        running.put(started.file(), started);
+      }
+    } finally {
+      synchronized (this) {
+        starting.remove(file);
+      }
     }
     if (started.isEnded()) {
       changed(started); // it may have changed before it was in the map

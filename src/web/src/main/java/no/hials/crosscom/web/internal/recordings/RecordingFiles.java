@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -13,6 +14,7 @@ import java.util.Locale;
 import java.util.concurrent.Semaphore;
 import java.util.regex.Pattern;
 import no.hials.crosscom.web.internal.http.BrowserSession;
+import no.hials.crosscom.web.internal.http.DeviceNames;
 import no.hials.crosscom.web.internal.http.PageHandler;
 import no.hials.crosscom.web.internal.http.Route;
 import no.hials.crosscom.web.internal.socket.CommandException;
@@ -39,10 +41,6 @@ final class RecordingFiles implements Route {
 
   private static final String COLUMNS = "/columns";
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9_-]{0,59}");
-
-  /** The names by which Windows opens devices, in any folder and with any ending. */
-  private static final Pattern DEVICE =
-      Pattern.compile("CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9]", Pattern.CASE_INSENSITIVE);
 
   /** More would fill the memory: each needs up to {@link ReplayColumns#MAX_BYTES}. */
   static final int MAX_OPENING = 8;
@@ -81,14 +79,19 @@ final class RecordingFiles implements Route {
     }
     Files.createDirectories(folder);
     Path file = folder.resolve(name + (jsonLines ? JSON_LINES : CSV));
-    if (Files.exists(file)) {
+    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
       throw new CommandException("there is already a recording " + file.getFileName());
     }
     return file;
   }
 
   private static boolean isAllowed(String name) {
-    return NAME.matcher(name).matches() && !DEVICE.matcher(name).matches();
+    return NAME.matcher(name).matches() && !DeviceNames.contain(name);
+  }
+
+  /** Returns whether there is a file; not for a link, which may lead out of the folder. */
+  private static boolean isFile(Path file) {
+    return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS);
   }
 
   /**
@@ -102,7 +105,7 @@ final class RecordingFiles implements Route {
     String ending = dot < 0 ? "" : name.substring(dot);
     if ((ending.equals(CSV) || ending.equals(JSON_LINES)) && isAllowed(name.substring(0, dot))) {
       Path file = folder.resolve(name);
-      if (Files.isRegularFile(file)) {
+      if (isFile(file)) {
         return file;
       }
     }
@@ -116,7 +119,7 @@ final class RecordingFiles implements Route {
       try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*.{csv,jsonl}")) {
         for (Path file : files) {
           String name = file.getFileName().toString();
-          if (isAllowed(name.substring(0, name.lastIndexOf('.'))) && Files.isRegularFile(file)) {
+          if (isAllowed(name.substring(0, name.lastIndexOf('.'))) && isFile(file)) {
             Instant modified = Files.getLastModifiedTime(file).toInstant();
             all.add(new RecordingEntry(name, Files.size(file), modified));
           }

@@ -83,7 +83,25 @@ final class ReplayColumns {
         texts.add(column.name());
       }
     }
-    return new ReplayColumns(data.start(), data.series().get(0).seconds(), columns, texts);
+    double[] seconds = data.series().get(0).seconds();
+    double before = Double.NEGATIVE_INFINITY;
+    for (int i = 0; i < seconds.length; i++) {
+      checkTime("row " + (i + 1), seconds[i], before);
+      before = seconds[i];
+    }
+    return new ReplayColumns(data.start(), seconds, columns, texts);
+  }
+
+  /** Checks that a time can follow another one: a replay finds its rows by their times. */
+  private static void checkTime(String place, double seconds, double before)
+      throws CommandException {
+    if (!Double.isFinite(seconds) || seconds < before) {
+      throw new CommandException(
+          place
+              + (" must have the seconds of a later time, has " + seconds)
+              + (Double.isFinite(before) ? " after " + before : "")
+              + "; download the recording instead");
+    }
   }
 
   private static void checkSize(long rows, long columns) throws CommandException {
@@ -130,9 +148,11 @@ final class ReplayColumns {
       if (!time.isNumber() || !row.path("values").isObject()) {
         throw new CommandException("line " + lines + " is not of a recording");
       }
+      double now = time.doubleValue();
+      checkTime("line " + lines, now, count == 0 ? Double.NEGATIVE_INFINITY : seconds[count - 1]);
       if (count == 0) {
         try {
-          long nanos = Math.round(time.doubleValue() * 1e9);
+          long nanos = Math.round(now * 1e9);
           start = Instant.parse(row.path("time").asText()).minus(Duration.ofNanos(nanos));
         } catch (DateTimeException e) {
           throw new CommandException("line 1 has no time");
@@ -140,7 +160,7 @@ final class ReplayColumns {
       } else if (row.path("failed").asInt() > 0) {
         put(seconds[count - 1]); // a gap
       }
-      put(time.doubleValue());
+      put(now);
       for (Map.Entry<String, JsonNode> value : row.path("values").properties()) {
         addLeaves(value.getKey(), value.getValue());
       }

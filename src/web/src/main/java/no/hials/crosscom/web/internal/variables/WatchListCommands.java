@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import no.hials.crosscom.web.Role;
+import no.hials.crosscom.web.internal.http.DeviceNames;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
@@ -96,10 +97,10 @@ public final class WatchListCommands {
 
   private Path file(Call call) throws CommandException {
     String name = call.text("name");
-    if (!NAME.matcher(name).matches()) {
+    if (!NAME.matcher(name).matches() || DeviceNames.contain(name)) {
       throw new CommandException(
-          "the name of a list must have 1 to 60 letters, digits, blanks, - and _, and begin and"
-              + " end with none of the last three");
+          "the name of a list must have 1 to 60 letters, digits, blanks, - and _, begin and end"
+              + " with none of the last three, and be no name of a device");
     }
     return folder.resolve(name + ENDING);
   }

@@ -56,6 +56,39 @@ class VariablesTest {
   }
 
   @ParameterizedTest
+  @CsvSource({
+    "$OV_PRO, 1.5, INT",
+    "$OV_PRO, TRUE, INT",
+    "$OV_PRO, '\\\"x\\\"', INT",
+    "MYREAL, FALSE, REAL",
+    "$OUT[1], 1, BOOL",
+    "MYPOS.X, #T1, REAL"
+  })
+  void aValueOfAnotherTypeIsRefused(String name, String value, String type) throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      assertThat(check(socket, name, value))
+          .isEqualTo(
+              "the value for " + (name + " must be " + type + ", is ") + value.replace("\\", ""));
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "MYREAL, 1",
+    "$OUT[1], TRUE",
+    "MYPOS, {X 1}",
+    "MYSTRING[], '\\\"5\\\"'",
+    "NOT_KNOWN, 1.5"
+  })
+  void aValueThatCanBeOfTheTypeIsAccepted(String name, String value) throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      assertThat(check(socket, name, value)).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
   @CsvSource({"false, nothing was written", "true, the outcome is unknown"})
   void aFailedWriteSaysWhetherItMayHaveBeenDone(boolean atWrite, String words) throws Exception {
     try (TestPages pages = TestPages.start(folder);

@@ -16,6 +16,10 @@ import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.ValueText;
 import no.hials.crosscom.cell.WriteAnswer;
+import no.hials.crosscom.protocol.value.KrlBool;
+import no.hials.crosscom.protocol.value.KrlInt;
+import no.hials.crosscom.protocol.value.KrlReal;
+import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.robot.Changes;
 import no.hials.crosscom.web.internal.robot.RobotSession;
@@ -148,13 +152,33 @@ public final class VariableCommands {
     checkValue(robots.of(call), call.text("name"), call.text("value").strip());
   }
 
-  private static void checkValue(RobotSession robot, String name, String value) throws IOException {
+  private void checkValue(RobotSession robot, String name, String value) throws IOException {
+    KrlValue parsed;
     try {
-      ValueText.parse(name, value, "");
+      parsed = ValueText.parse(name, value, "");
     } catch (IllegalArgumentException e) {
       throw new CommandException("the value for " + name + " " + e.getMessage());
     }
+    String type =
+        catalogue(robot)
+            .find(name)
+            .filter(it -> it.dimensions().isEmpty())
+            .map(CatalogueEntry::type)
+            .orElse("");
+    if (!isOfType(parsed, type)) {
+      throw new CommandException("the value for " + name + " must be " + type + ", is " + value);
+    }
     robot.client().checkText(name, value);
+  }
+
+  /** Returns whether a value may be of a scalar type; true if the type is another one. */
+  private static boolean isOfType(KrlValue value, String type) {
+    return switch (type) {
+      case "INT" -> value instanceof KrlInt;
+      case "REAL" -> value instanceof KrlInt || value instanceof KrlReal;
+      case "BOOL" -> value instanceof KrlBool;
+      default -> true;
+    };
   }
 
   /** Returns the value for the audit log; empty if the controller refuses to read it. */

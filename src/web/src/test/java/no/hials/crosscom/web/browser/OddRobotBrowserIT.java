@@ -4,14 +4,17 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.program.ProgramRequest.ProgramControlRequest;
 import no.hials.crosscom.simulator.Controller;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
@@ -22,6 +25,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.openqa.selenium.Keys;
 
 /** The page with a robot that answers late, or with values of other types. */
 @ExtendWith(WithBrowser.class)
@@ -158,6 +162,85 @@ class OddRobotBrowserIT {
 
     awaitText(browser, ".old-mark", "No axes");
     assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void anotherRobotBehindTheAddressIsShownAfterTheReconnection(Browser browser) throws Exception {
+    pages = TestPages.startRemote(ServerType.C3_BRIDGE, folder, cfg -> {});
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?odd=another#/robot"));
+    awaitText(browser, ".picture h1", "KR 6 R900 sixx");
+
+    pages.controller().variables().set("$TRAFONAME[]", "\"#KR10R1100_2 C4 FLR\"");
+    pages.controller().disconnectClients();
+
+    awaitText(browser, ".picture h1", "KR 10 R1100-2");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void aBadShapeIsNamedAndTheNextOneIsLoaded(Browser browser) throws Exception {
+    Path shapes = Files.createDirectory(folder.resolve("shapes"));
+    Files.writeString(shapes.resolve("a1.stl"), "not a shape");
+    Files.writeString(shapes.resolve("a2.stl"), "not a shape either");
+    pages = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.shapes(shapes));
+    browser.open(URI.create(pages.web().link(Role.VIEW)));
+    browser.open(pages.at("/?odd=shapes#/robot"));
+
+    awaitText(browser, ".notes", "a1.stl is not shown: ");
+    awaitText(browser, ".notes", "a2.stl is not shown: ");
+  }
+
+  @Test
+  void aNameThatIsNoneIsRefusedInItsRowAndTheOthersAreRead(Browser browser) throws Exception {
+    open(browser, ServerType.C3_BRIDGE, "variables");
+    browser.run(
+        "localStorage.setItem('watch-list/mock',"
+            + " JSON.stringify({ name: '', period: 250, names: ['A\\nB', '$OV_PRO'] }))");
+    browser.open(pages.at("/?odd=names#/variables"));
+    awaitText(browser, ".watched tbody tr:nth-child(1)", "must not have a line break or NUL");
+    awaitText(browser, ".watched tbody tr:nth-child(2) .reading", "100");
+
+    for (String name : List.of(".X", ".Y")) {
+      browser.find(".search input").sendKeys(name, Keys.ENTER);
+    }
+
+    browser.await("document.querySelectorAll('.watched tbody tr').length === 4");
+    awaitText(browser, ".watched tbody tr:nth-child(4) .reading", ".Y");
+    browser.await("document.querySelector('.top:not(.stale)')");
+    pages.controller().variables().set("$OV_PRO", "37");
+    awaitText(browser, ".watched tbody tr:nth-child(2) .reading", "37");
+  }
+
+  @Test
+  void stopIsPressedOnceUntilItIsAnsweredAlsoOnALockedRobot(Browser browser) throws Exception {
+    open(browser, ServerType.C3_BRIDGE, "programs");
+    pages
+        .controller()
+        .fault(it -> it.request() instanceof ProgramControlRequest, Fault.hold(released));
+    String stop = ".interpreter.robot .stop";
+    browser.await("document.querySelector('" + stop + ":not(:disabled)')");
+
+    browser.run("document.querySelector(arguments[0]).scrollIntoView({ block: 'center' })", stop);
+    browser.click(stop);
+
+    browser.await("document.querySelector('" + stop + "').textContent === 'Stopping …'");
+    assertThat(browser.run("return document.querySelector(arguments[0]).disabled", stop))
+        .isEqualTo(true);
+    released.countDown();
+    browser.await("document.querySelector('" + stop + "').textContent === 'Stop'");
+    assertThat(pages.controller().requests())
+        .filteredOn(it -> it.request() instanceof ProgramControlRequest)
+        .hasSize(1);
+  }
+
+  @Test
+  void aMovingRobotIsNoProblem(Browser browser) throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, "programs");
+    answer("$ROB_STOPPED", "FALSE");
+
+    browser.await(
+        "document.querySelector('.verdict.ok')?.textContent.includes('The robot moves.')");
   }
 
   /** Opens the sliders of MYPOS. */

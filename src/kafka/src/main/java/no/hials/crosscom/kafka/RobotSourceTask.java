@@ -54,6 +54,9 @@ public final class RobotSourceTask extends SourceTask {
   /** Whether robots may be used while the lease is held. */
   private volatile boolean allowed;
 
+  /** Taken from the queue, but not passed to Connect yet. */
+  private @Nullable Item kept;
+
   private boolean opened;
   private boolean recovering;
   private long recoveringSince;
@@ -155,7 +158,7 @@ public final class RobotSourceTask extends SourceTask {
     Moment moment = Moment.now();
     followLease(own, moment);
     lastPoll = moment;
-    if (moment.nanos() - lastCheck > CHECK_NANOS) {
+    if (allowed && moment.nanos() - lastCheck > CHECK_NANOS) {
       lastCheck = moment.nanos();
       robots.forEach(RobotSource::check);
     }
@@ -164,13 +167,40 @@ public final class RobotSourceTask extends SourceTask {
       lastBeat = moment.nanos();
       batch.add(beat(own, moment));
     }
-    Item item = batch.isEmpty() ? waiting.poll(POLL_MILLIS, TimeUnit.MILLISECONDS) : waiting.poll();
+    Item item = next(waiting, batch.isEmpty());
     while (item != null) {
       batch.add(record(own, item, moment));
       item = batch.size() < MAX_BATCH ? waiting.poll() : null;
     }
     records += batch.size();
     return batch.isEmpty() ? null : batch;
+  }
+
+  /**
+   * Returns the next sample or gap; null without the lease: a record of a robot would then replace
+   * the offset of the task that may have the robot now. What waits is sent once the lease is held.
+   */
+  private @Nullable Item next(BlockingQueue<Item> waiting, boolean wait)
+      throws InterruptedException {
+    if (!mayUse()) {
+      if (wait) {
+        TimeUnit.MILLISECONDS.sleep(POLL_MILLIS);
+      }
+      return null;
+    }
+    if (kept == null) {
+      kept = wait ? waiting.poll(POLL_MILLIS, TimeUnit.MILLISECONDS) : waiting.poll();
+    }
+    // checked again: the process may have been frozen while it waited
+    Item item = mayUse() ? kept : null;
+    if (item != null) {
+      kept = null;
+    }
+    return item;
+  }
+
+  private boolean mayUse() {
+    return allowed && isHeld();
   }
 
   private boolean isHeld() {
@@ -181,7 +211,9 @@ public final class RobotSourceTask extends SourceTask {
     if (!isHeld()) {
       if (allowed) {
         allowed = false;
-        boolean called = now.nanosSince(lastPoll) < own.time(ConnectorSettings.LEASE).toNanos();
+        // the last beat may be old already: less than the lease without a call ends it
+        long longest = own.time(ConnectorSettings.LEASE).toNanos() / 2;
+        boolean called = now.nanosSince(lastPoll) < longest;
         lost =
             called
                 ? "the task had not reached the broker"
@@ -217,7 +249,7 @@ public final class RobotSourceTask extends SourceTask {
 
   private void open(RobotSource robot) {
     try {
-      robot.open(() -> allowed && isHeld());
+      robot.open(this::mayUse);
     } catch (IOException e) {
       throw new ConnectException(robot.name() + ": " + e.getMessage(), e);
     }

@@ -84,7 +84,7 @@ class RobotSourceTaskTest {
             "plant",
             plant.toString(),
             "lease.ms",
-            "500",
+            "1000",
             "lease.recovery.ms",
             "0"));
     task.initialize(new NoOffsets());
@@ -141,8 +141,27 @@ class RobotSourceTaskTest {
   void theGapAfterRecordsThatWereNotAcknowledgedSaysThatTheBrokerWasNotReached() throws Exception {
     var unused = await(sample -> sample.getString("quality").equals("good"));
     acknowledged = false;
-    assertThat(reason("stale")).isEqualTo("the task does not use the robot: it has no lease");
+    while (robot.clientCount() > 0) {
+      var ignored = task.poll();
+    }
     acknowledged = true;
+    assertThat(reason("stale")).isEqualTo("the task does not use the robot: it has no lease");
     assertThat(reason("gap")).isEqualTo("the task had not reached the broker");
+  }
+
+  @Test
+  void withoutTheLeaseNoRecordOfARobotIsSent() throws Exception {
+    var unused = await(sample -> sample.getString("quality").equals("good"));
+    while (robot.clientCount() > 0) {
+      boolean ignored = new CountDownLatch(1).await(5, TimeUnit.MILLISECONDS);
+    }
+    // as after a freeze: the samples before it wait, and a beat can be acknowledged
+    for (int calls = 0; calls < 10; calls++) {
+      List<SourceRecord> records = task.poll();
+      assertThat(records == null ? List.<SourceRecord>of() : records)
+          .extracting(SourceRecord::topic)
+          .doesNotContain("robots");
+    }
+    assertThat(reason("stale")).isEqualTo("the task does not use the robot: it has no lease");
   }
 }

@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Queue;
@@ -31,6 +32,9 @@ public final class RobotSource implements Closeable {
 
   private static final String WITHOUT_LEASE = "the task does not use the robot: it has no lease";
 
+  private static final String TOO_SLOW =
+      "the robot or this computer was too slow for the period, or the process was frozen";
+
   /** The robot is connected again soon after its lease was lost and is held again. */
   private static final Duration LONGEST_BACKOFF = Duration.ofSeconds(1);
 
@@ -44,15 +48,23 @@ public final class RobotSource implements Closeable {
   // used by the thread of the task only
   private long sequence;
   private long lastMillis;
-  private long missedBefore;
   private long droppedBefore;
   private long missed;
   private long reported = System.nanoTime();
+
+  /** When the robot was last allowed to be accessed; 0 before the first time. */
+  private volatile long lastAccess;
 
   // guarded by this
   private Instant lastTime;
   private @Nullable OpenGap gap;
   private long lost;
+
+  /** The periods that the feed had left out at the last sample. */
+  private long leftOut;
+
+  /** The periods left out between samples, which are not reported yet. */
+  private @Nullable Gap slow;
 
   /**
    * A sample or a gap that waits for Connect.
@@ -71,8 +83,14 @@ public final class RobotSource implements Closeable {
   /** A gap that the next sample ends. */
   private static final class OpenGap {
     private final Instant from;
-    private final String reason;
-    private boolean unread;
+    private String reason;
+
+    /** Since when the robot was not read; null if it was. */
+    private @Nullable Instant unreadSince;
+
+    /** The end of the time without readings, if no sample comes before. */
+    private Instant unreadUntil = Instant.MAX;
+
     private long lost;
 
     OpenGap(Instant from, String reason) {
@@ -106,7 +124,7 @@ public final class RobotSource implements Closeable {
                   + number(stored, RUN)
                   + "/"
                   + number(stored, SEQUENCE));
-      since.unread = true;
+      since.unreadSince = lastTime;
       gap = since;
     }
   }
@@ -144,12 +162,25 @@ public final class RobotSource implements Closeable {
                     robot,
                     settings.andThen(
                         cfg ->
-                            cfg.accessIf(allowed)
+                            cfg.accessIf(() -> mayAccess(allowed))
                                 .reconnectBackoff(Duration.ofMillis(100), LONGEST_BACKOFF))),
-            (robot, updates) ->
-                updates.forEach(update -> add(allowed.getAsBoolean() ? update : unused(update))));
+            (robot, updates) -> {
+              // in this order: a process that is frozen in between counts nothing twice
+              long missedPolls = robot.missedPolls();
+              add(updates, missedPolls, allowed.getAsBoolean());
+            });
     feed = opened;
     opened.start();
+  }
+
+  private boolean mayAccess(BooleanSupplier allowed) {
+    // before the answer: a process that is frozen in between has no access at the later time
+    long now = System.currentTimeMillis();
+    boolean may = allowed.getAsBoolean();
+    if (may) {
+      lastAccess = now;
+    }
+    return may;
   }
 
   /** Returns whether the robot is connected. */
@@ -175,8 +206,31 @@ public final class RobotSource implements Closeable {
         : update;
   }
 
-  private synchronized void add(Update update) {
-    if (closeGap(update.time()) && queue.offer(new Item(this, update, null))) {
+  private synchronized void add(List<Update> updates, long missedPolls, boolean used) {
+    Instant before = lastTime;
+    boolean counted = gap != null && gap.unreadSince != null;
+    updates.forEach(update -> add(used ? update : unused(update), used));
+    // without the lease, the time counts: the periods left out belong to it
+    if (!used || (lastTime.equals(before) && !counted)) {
+      return;
+    }
+    // the gap has counted those of its time
+    long left = counted ? 0 : missedPolls - leftOut;
+    leftOut = missedPolls;
+    if (left > 0) {
+      slow =
+          slow == null
+              ? new Gap(before, lastTime, left, 0, TOO_SLOW)
+              : new Gap(slow.from(), lastTime, slow.missed() + left, 0, TOO_SLOW);
+    }
+  }
+
+  private void add(Update update, boolean used) {
+    Instant time = update.quality() == Quality.STALE ? Instant.now() : update.time();
+    if (used && gap != null && gap.unreadSince != null && time.isBefore(gap.unreadUntil)) {
+      gap.unreadUntil = time;
+    }
+    if (closeGap(time) && queue.offer(new Item(this, update, null))) {
       lastTime = later(lastTime, update.time());
     } else {
       lose(1, "the buffer of the task was full");
@@ -203,7 +257,10 @@ public final class RobotSource implements Closeable {
       return true;
     }
     Instant end = to.isBefore(open.from) ? open.from : to;
-    long unread = open.unread ? readings(open.from, end) : 0;
+    long unread =
+        open.unreadSince == null
+            ? 0
+            : readings(open.unreadSince, end.isBefore(open.unreadUntil) ? end : open.unreadUntil);
     boolean queued =
         queue.offer(new Item(this, null, new Gap(open.from, end, unread, open.lost, open.reason)));
     if (queued) {
@@ -214,25 +271,28 @@ public final class RobotSource implements Closeable {
 
   /** Returns the number of readings that the plan has between two times. */
   private long readings(Instant from, Instant to) {
-    long millis = Duration.between(from, to).toMillis();
+    long millis = Math.max(0, Duration.between(from, to).toMillis());
     return plan.reads().keySet().stream().mapToLong(period -> millis / period.toMillis()).sum();
   }
 
   /** Begins a gap. Called when the robot, which was not read for a while, is read again. */
-  public void resumed(String reason) {
-    RobotFeed own = feed;
-    if (own != null) {
-      missedBefore = own.missedPolls();
+  public synchronized void resumed(String reason) {
+    if (gap == null) {
+      gap = new OpenGap(lastTime, reason);
+    } else if (gap.unreadSince == null) {
+      gap.reason += "; " + reason;
     }
-    synchronized (this) {
-      if (gap == null) {
-        gap = new OpenGap(lastTime, reason);
-      }
-      gap.unread = true;
+    if (gap.unreadSince == null) {
+      gap.unreadSince = lastAccess == 0 ? lastTime : Instant.ofEpochMilli(lastAccess);
     }
+    // if it takes longer to connect, the robot is off: its readings are tried
+    gap.unreadUntil = Instant.now().plus(LONGEST_BACKOFF.multipliedBy(2));
   }
 
-  /** Marks overdue variables as stale, and reports readings left out and samples dropped. */
+  /**
+   * Marks overdue variables as stale, and reports readings left out and samples dropped. Called
+   * while the robot is used: without the lease, nobody knows yet who counts the readings.
+   */
   public void check() {
     RobotFeed own = feed;
     if (own == null) {
@@ -244,24 +304,18 @@ public final class RobotSource implements Closeable {
       return;
     }
     reported = now;
-    long left = own.missedPolls() - missedBefore;
     long dropped = own.droppedSamples() - droppedBefore;
-    missedBefore += left;
     droppedBefore += dropped;
     synchronized (this) {
-      Instant time = Instant.now();
-      if (left > 0) {
-        String reason = "the robot or this computer was too slow for the period";
-        Item item = new Item(this, null, new Gap(lastTime, time, left, 0, reason));
-        if (!queue.offer(item)) {
-          missedBefore -= left;
-        }
+      if (slow != null && queue.offer(new Item(this, null, slow))) {
+        slow = null;
       }
       if (dropped > 0) {
         lose(dropped, "this computer was too slow for the samples");
       }
-      if (gap != null && gap.lost > 0) {
-        boolean unused = closeGap(time);
+      // a time without readings ends with the next reading
+      if (gap != null && gap.lost > 0 && gap.unreadSince == null) {
+        boolean unused = closeGap(Instant.now());
       }
     }
   }

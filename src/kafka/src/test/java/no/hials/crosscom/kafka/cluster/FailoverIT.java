@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import org.apache.kafka.clients.consumer.ConsumerRecord;
 import org.apache.kafka.clients.consumer.ConsumerRecords;
 import org.apache.kafka.clients.consumer.KafkaConsumer;
@@ -39,6 +40,15 @@ class FailoverIT {
 
   /** Longer than offset.flush.interval.ms: without an offset, no gap can be reported. */
   private static final Duration OFFSETS_STORED = Duration.ofSeconds(3);
+
+  /** The period of the readings, in ms. */
+  private static final long PERIOD = 100;
+
+  /** Readings in the time from the last stored offset, which is up to 1 s old, to the fault. */
+  private static final long NOT_STORED = 20;
+
+  /** Readings that a run tries while it connects, after its gap has ended. */
+  private static final long CONNECTING = 12;
 
   @TempDir private static Path folder;
   private static Robots robots;
@@ -137,6 +147,20 @@ class FailoverIT {
 
   @Test
   @Order(2)
+  void aWorkerThatIsFrozenForLessThanTheSessionReadsItsRobotsAgain() throws Exception {
+    Instant fault = Instant.now();
+    one.signal("STOP");
+    // longer than the lease
+    JavaProcess.pause(4500);
+    one.signal("CONT");
+    awaitOwners("frozen for 4.5 s", fault);
+    awaitAllRead(Instant.now().plus(OFFSETS_STORED));
+    robots.assertOneAtATime();
+    checkRecords();
+  }
+
+  @Test
+  @Order(3)
   void aWorkerThatIsCutOffFromTheBrokerStopsReading() throws Exception {
     Instant fault = Instant.now();
     relay1.cut();
@@ -149,7 +173,7 @@ class FailoverIT {
   }
 
   @Test
-  @Order(3)
+  @Order(4)
   void theRobotsOfAKilledWorkerAreTakenOver() throws Exception {
     Instant fault = Instant.now();
     one.close();
@@ -163,15 +187,46 @@ class FailoverIT {
     private long next = 1;
   }
 
+  /** The readings of a robot, and those that its gaps report. */
+  private static final class Readings {
+    private long runs;
+    private long gaps;
+    private long missed;
+    private long read;
+    private long first;
+    private long last;
+
+    void add(JsonNode value) {
+      long time = value.path("time").asLong();
+      if (value.path("quality").asText().equals("gap")) {
+        gaps++;
+        missed += value.path("gap").path("missed").asLong();
+      } else if (value.path("quality").asText().equals("good")
+          && value.path("variable").asText().equals("$OV_PRO")) {
+        first = read == 0 ? time : first;
+        last = time;
+        read++;
+      }
+    }
+
+    /** Checks that the gaps report each reading that was left out once. */
+    void check(String robot) {
+      long unread = (last - first) / PERIOD + 1 - read;
+      String what =
+          robot + ": missed in " + gaps + " gaps of " + runs + " runs, " + unread + " are";
+      // a time of n periods can be seen as n - 1 or n + 1 of them
+      assertThat(missed).as(what).isGreaterThanOrEqualTo(unread - 1 - gaps - CONNECTING * runs);
+      assertThat(missed).as(what).isLessThanOrEqualTo(unread + 1 + gaps + NOT_STORED * (runs - 1));
+    }
+  }
+
   /**
-   * Checks that the sequence of each run has no hole, and that each run after the first one of a
-   * robot begins with a gap.
+   * Checks that the sequence of each run has no hole, that each run after the first one of a robot
+   * begins with a gap, and that the gaps report what was not read.
    */
   private static void checkRecords() throws Exception {
     Map<String, Run> runs = new HashMap<>();
-    Map<String, Integer> runsOfRobots = new HashMap<>();
-    long gaps = 0;
-    long missed = 0;
+    Map<String, Readings> readings = new TreeMap<>();
     long records = 0;
     try (KafkaConsumer<String, String> consumer = broker.consumer("robots")) {
       long end = consumer.endOffsets(consumer.assignment()).values().iterator().next();
@@ -186,21 +241,24 @@ class FailoverIT {
           if (run == null) {
             run = new Run();
             runs.put(robot + "/" + value.path("run").asLong(), run);
-            int before = runsOfRobots.merge(robot, 1, Integer::sum) - 1;
-            assertThat(isGap).as(record.value()).isEqualTo(before > 0);
+            Readings own = readings.computeIfAbsent(robot, name -> new Readings());
+            assertThat(isGap).as(record.value()).isEqualTo(own.runs++ > 0);
           }
           assertThat(value.path("sequence").asLong()).as(record.value()).isEqualTo(run.next++);
-          if (isGap) {
-            gaps++;
-            missed += value.path("gap").path("missed").asLong();
-          }
+          readings.get(robot).add(value);
         }
       }
     }
-    assertThat(gaps).isPositive();
-    assertThat(missed).isPositive();
+    readings.forEach((robot, own) -> own.check(robot));
     System.out.printf(
-        "%d records of %d robots in %d runs, %d gaps with %d missed readings%n",
-        records, runsOfRobots.size(), runs.size(), gaps, missed);
+        "%d records of %d robots in %d runs, %d gaps with %d missed readings, really %d%n",
+        records,
+        readings.size(),
+        runs.size(),
+        readings.values().stream().mapToLong(one -> one.gaps).sum(),
+        readings.values().stream().mapToLong(one -> one.missed).sum(),
+        readings.values().stream()
+            .mapToLong(one -> (one.last - one.first) / PERIOD + 1 - one.read)
+            .sum());
   }
 }

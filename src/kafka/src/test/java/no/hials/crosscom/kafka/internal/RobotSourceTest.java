@@ -2,16 +2,18 @@ package no.hials.crosscom.kafka.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Duration;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.cell.feed.PollPlan;
+import no.hials.crosscom.cell.feed.Quality;
 import no.hials.crosscom.kafka.internal.RobotSource.Item;
 import no.hials.crosscom.kafka.internal.SampleRecords.Gap;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.apache.kafka.connect.data.Struct;
@@ -96,20 +98,79 @@ class RobotSourceTest {
       source.open(held::get);
       Item before = next(queue);
       held.set(false);
-      while (robot.clientCount() > 0) {
-        boolean unused = new CountDownLatch(1).await(5, TimeUnit.MILLISECONDS);
-      }
-      source.resumed("held again");
-      held.set(true);
-      String stale = "";
       Item item = next(queue);
-      while (item.gap() == null) {
-        stale += item.update().reason();
+      while (isGood(item)) {
         item = next(queue);
       }
-      assertThat(stale).isEqualTo("the task does not use the robot: it has no lease");
+      assertThat(item.update().reason())
+          .isEqualTo("the task does not use the robot: it has no lease");
+      source.resumed("held again");
+      held.set(true);
+      item = next(queue);
       assertThat(item.gap().reason()).isEqualTo("held again");
       assertThat(item.gap().from()).isAfterOrEqualTo(before.time());
+    }
+  }
+
+  @Test
+  void readingsLeftOutWhileTheLeaseIsLostAreCountedOnce() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    AtomicBoolean held = new AtomicBoolean(true);
+    try (RobotSource source = new RobotSource(plan(), queue, null)) {
+      source.open(held::get);
+      Item before = next(queue);
+      // as in a process that is frozen during an access, and longer than the lease
+      robot.fault(request -> held.getAndSet(false), Fault.delay(Duration.ofMillis(1500)));
+      long read = 0;
+      Item item = before;
+      while (item.update().quality() != Quality.STALE) {
+        read++;
+        item = next(queue);
+      }
+      robot.clearFaults();
+      source.check();
+      source.resumed("frozen");
+      held.set(true);
+      long missed = 0;
+      boolean resumed = false;
+      while (!resumed || !isGood(item)) {
+        source.check();
+        read += isGood(item) ? 1 : 0;
+        if (item.gap() != null) {
+          missed += item.gap().missed();
+          resumed |= item.gap().reason().equals("frozen");
+        }
+        item = next(queue);
+      }
+      long planned = Duration.between(before.time(), item.time()).toMillis() / 10;
+      assertThat(planned).isGreaterThan(150);
+      assertThat(read + missed).isBetween(planned - 5, planned + 5);
+    }
+  }
+
+  private static boolean isGood(Item item) {
+    return item.update() != null && item.update().quality() == Quality.GOOD;
+  }
+
+  @Test
+  void readingsLeftOutByASlowRobotAreToldWithTheReason() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    try (RobotSource source = new RobotSource(plan(), queue, null)) {
+      source.open(() -> true);
+      Item first = next(queue);
+      AtomicBoolean slow = new AtomicBoolean(true);
+      robot.fault(request -> slow.getAndSet(false), Fault.delay(Duration.ofMillis(1100)));
+      Gap gap = null;
+      while (gap == null || gap.missed() < 100) {
+        source.check();
+        Item item = queue.poll();
+        gap = item == null ? null : item.gap();
+      }
+      assertThat(gap.reason())
+          .isEqualTo(
+              "the robot or this computer was too slow for the period, or the process was frozen");
+      assertThat(gap.from()).isAfterOrEqualTo(first.time());
+      assertThat(gap.to()).isAfter(gap.from());
     }
   }
 

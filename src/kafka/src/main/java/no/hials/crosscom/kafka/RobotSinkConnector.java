@@ -4,6 +4,7 @@ import java.time.Duration;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.PlantWatch;
@@ -90,7 +91,13 @@ public final class RobotSinkConnector extends SinkConnector {
     if (settings == null || plant == null) {
       throw new IllegalStateException("not started");
     }
-    return settings.tasks(plant.text(), Collections.nCopies(maxTasks, List.of()));
+    List<List<String>> tasks = Collections.nCopies(maxTasks, List.of());
+    try {
+      return settings.tasks(plant.text(), tasks);
+    } catch (FileException e) {
+      // the plant of the running tasks may allow what is forbidden now
+      return settings.tasksWithoutPlant(String.valueOf(e.getMessage()), tasks);
+    }
   }
 
   @Override

@@ -72,8 +72,8 @@ public final class RobotSourceConnector extends SourceConnector {
     if (settings == null || plant == null) {
       throw new IllegalStateException("not started");
     }
-    String text = plant.text();
     try {
+      String text = plant.text();
       List<String> robots =
           PlantText.read(settings.getString(ConnectorSettings.PLANT), text)
               .robots()
@@ -84,7 +84,8 @@ public final class RobotSourceConnector extends SourceConnector {
       int groups = Math.min(maxTasks, robots.size());
       return settings.tasks(text, ConnectorUtils.groupPartitions(robots, groups));
     } catch (FileException e) {
-      throw new ConnectException(e.getMessage(), e);
+      // the tasks go on with the plant they have, as after a change to an invalid file
+      throw new ConnectException("the tasks stay as they are: " + e.getMessage(), e);
     }
   }
 

@@ -1,6 +1,7 @@
 package no.hials.crosscom.kafka;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.apache.kafka.connect.connector.Connector;
+import org.apache.kafka.connect.errors.ConnectException;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -58,8 +60,8 @@ class ConnectorValidationTest {
           topic,               "",                   must be letters
           topic,               a b,                  must be letters
           topic,               ..,                   must be letters
-          lease.topic,         "",                   must be letters
           lease.topic,         robots,               must not be the topic of the samples
+          lease.topic,         "",                   must be letters
           lease.ms,            499,                  at least 500
           lease.ms,            9223372036854775807,  no more than 3600000
           lease.recovery.ms,   9223372036854775807,  no more than 3600000
@@ -72,6 +74,31 @@ class ConnectorValidationTest {
         .asString()
         .startsWith(key + ": ")
         .contains(rule);
+  }
+
+  @Test
+  void theTasksOfASinkThatStartsWithoutAValidPlantFailWithTheReason() throws Exception {
+    Files.writeString(folder.resolve("plant.toml"), "[half");
+    sink.put("name", "writes");
+    RobotSinkConnector connector = new RobotSinkConnector();
+    connector.start(sink);
+    Map<String, String> task = connector.taskConfigs(1).get(0);
+    connector.stop();
+    assertThatThrownBy(() -> new RobotSinkTask().start(task))
+        .isInstanceOf(ConnectException.class)
+        .hasMessageContaining("plant.toml:1");
+  }
+
+  @Test
+  void aSourceThatStartsWithoutAValidPlantKeepsItsTasks() throws Exception {
+    Files.writeString(folder.resolve("plant.toml"), "[half");
+    RobotSourceConnector connector = new RobotSourceConnector();
+    connector.start(source);
+    assertThatThrownBy(() -> connector.taskConfigs(1))
+        .isInstanceOf(ConnectException.class)
+        .hasMessageContaining("the tasks stay as they are")
+        .hasMessageContaining("plant.toml:1");
+    connector.stop();
   }
 
   @ParameterizedTest

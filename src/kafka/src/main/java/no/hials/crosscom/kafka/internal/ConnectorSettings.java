@@ -56,6 +56,7 @@ public final class ConnectorSettings extends AbstractConfig {
 
   // passed from a connector to its tasks
   private static final String TASK_PLANT = "task.plant";
+  private static final String TASK_PLANT_ERROR = "task.plant.error";
   private static final String TASK_ROBOTS = "task.robots";
   private static final String TASK_NUMBER = "task.number";
 
@@ -200,10 +201,23 @@ public final class ConnectorSettings extends AbstractConfig {
 
   /** Returns the properties of tasks. */
   public List<Map<String, String>> tasks(String plantText, List<List<String>> robots) {
+    return tasks(TASK_PLANT, plantText, robots);
+  }
+
+  /**
+   * Returns the properties of tasks that fail when they start.
+   *
+   * @param error why the plant cannot be read
+   */
+  public List<Map<String, String>> tasksWithoutPlant(String error, List<List<String>> robots) {
+    return tasks(TASK_PLANT_ERROR, error, robots);
+  }
+
+  private List<Map<String, String>> tasks(String key, String value, List<List<String>> robots) {
     List<Map<String, String>> tasks = new ArrayList<>();
     for (List<String> some : robots) {
       Map<String, String> task = new HashMap<>(originalsStrings());
-      task.put(TASK_PLANT, plantText);
+      task.put(key, value);
       task.put(TASK_ROBOTS, String.join(",", some));
       task.put(TASK_NUMBER, String.valueOf(tasks.size()));
       tasks.add(task);
@@ -213,6 +227,10 @@ public final class ConnectorSettings extends AbstractConfig {
 
   /** Returns the plant of a task. */
   public Plant taskPlant() throws FileException {
+    String error = originalsStrings().get(TASK_PLANT_ERROR);
+    if (error != null) {
+      throw new FileException(error);
+    }
     return PlantText.read(getString(PLANT), own(TASK_PLANT));
   }
 

@@ -4,6 +4,8 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -166,6 +168,29 @@ class ConnectorsIT {
     assertThat(writes("r2")).extracting(RecordedRequest::value).containsExactly("30");
     assertThat(Files.readString(folder.resolve("audit.jsonl")))
         .contains("kafka:" + name + "-0@0", "\"after\":\"40\"", "\"result\":\"done\"");
+  }
+
+  @Test
+  void afterAStartWithAnInvalidFileNothingIsWrittenUntilItIsValidAgain() throws Exception {
+    worker.put(name, sink("writes.enabled", "true"));
+    send("r1", "$OV_PRO", "40");
+    awaitWrite("r1");
+    String text = Files.readString(robots.file());
+    Files.writeString(robots.file(), text + "[half");
+    worker.restart(name);
+    while (!taskState().equals("FAILED")) {
+      JavaProcess.pause(50);
+    }
+    send("r1", "$OV_PRO", "41");
+    Files.writeString(robots.file(), text.replace("write = true", "write = false"));
+    assertThat(deadLetter()).contains("41", "does not allow it");
+    assertThat(writes("r1")).extracting(RecordedRequest::value).containsExactly("40");
+    Files.writeString(robots.file(), text);
+  }
+
+  private String taskState() throws Exception {
+    JsonNode status = new ObjectMapper().readTree(worker.get("/connectors/" + name + "/status"));
+    return status.path("tasks").path(0).path("state").asText();
   }
 
   @Test

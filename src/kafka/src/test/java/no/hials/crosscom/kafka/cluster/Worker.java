@@ -110,6 +110,15 @@ final class Worker implements AutoCloseable {
                 robots.file().toString()));
   }
 
+  /** Restarts a connector, but not its tasks. */
+  void restart(String connector) throws IOException, InterruptedException {
+    String unused =
+        send(
+            HttpRequest.newBuilder(uri("/connectors/" + connector + "/restart"))
+                .POST(BodyPublishers.noBody())
+                .build());
+  }
+
   void delete(String connector) throws IOException, InterruptedException {
     HttpRequest request = HttpRequest.newBuilder(uri("/connectors/" + connector)).DELETE().build();
     HttpResponse<String> unused = HTTP.send(request, BodyHandlers.ofString());

@@ -18,6 +18,7 @@ import no.hials.crosscom.kafka.internal.CommandWriter;
 import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.Lease;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
 import org.apache.kafka.connect.errors.ConnectException;
@@ -190,17 +191,30 @@ public final class RobotSinkTask extends SinkTask {
     }
   }
 
+  /** Returns an exception whose message and causes fit into the headers of a dead letter. */
+  private static Exception brief(Exception why) {
+    String message = String.valueOf(why.getMessage());
+    String shortened = PrintableText.shortened(message);
+    if (shortened.equals(message)) {
+      return why;
+    }
+    Exception brief = new ConnectException(shortened);
+    brief.setStackTrace(why.getStackTrace());
+    return brief;
+  }
+
   /** Puts a record on the dead-letter topic, and waits until it is there. */
   private void report(SinkRecord record, Exception why) {
     ErrantRecordReporter reporter = context.errantRecordReporter();
+    Exception brief = brief(why);
     LOG.warn(
         "{}-{}@{}: {}",
         record.originalTopic(),
         record.originalKafkaPartition(),
         record.originalKafkaOffset(),
-        why.getMessage());
+        brief.getMessage());
     try {
-      reporter.report(record, why).get(REPORT_PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
+      reporter.report(record, brief).get(REPORT_PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new ConnectException("interrupted", e);

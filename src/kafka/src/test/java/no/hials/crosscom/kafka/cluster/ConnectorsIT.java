@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -191,6 +192,23 @@ class ConnectorsIT {
   private String taskState() throws Exception {
     JsonNode status = new ObjectMapper().readTree(worker.get("/connectors/" + name + "/status"));
     return status.path("tasks").path(0).path("state").asText();
+  }
+
+  @Test
+  void theReasonOfADeadLetterIsShortened() throws Exception {
+    worker.put(name, sink("writes.enabled", "true"));
+    producer
+        .send(new ProducerRecord<>(name, 0, null, "{\"x\":\"" + "9".repeat(60_000) + "\"}"))
+        .get();
+    List<Integer> lengths = new ArrayList<>();
+    String unused =
+        Broker.await(
+            dead,
+            record -> {
+              record.headers().forEach(header -> lengths.add(header.value().length));
+              return true;
+            });
+    assertThat(lengths).isNotEmpty().allMatch(length -> length < 10_000);
   }
 
   @Test

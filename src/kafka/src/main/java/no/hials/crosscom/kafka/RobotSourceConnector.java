@@ -9,7 +9,7 @@ import no.hials.crosscom.kafka.internal.PlantText;
 import no.hials.crosscom.kafka.internal.PlantWatch;
 import org.apache.kafka.common.config.Config;
 import org.apache.kafka.common.config.ConfigDef;
-import org.apache.kafka.common.config.ConfigValue;
+import org.apache.kafka.common.config.ConfigException;
 import org.apache.kafka.connect.connector.Task;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.source.ExactlyOnceSupport;
@@ -38,14 +38,36 @@ public final class RobotSourceConnector extends SourceConnector {
   @Override
   public Config validate(Map<String, String> properties) {
     Config config = PlantChecks.check(super.validate(properties));
-    for (ConfigValue value : config.configValues()) {
-      if (value.name().equals(ConnectorSettings.LEASE_TOPIC)
-          && value.value() instanceof String topic
-          && topic.equals(properties.getOrDefault(ConnectorSettings.TOPIC, "robots"))) {
-        value.addErrorMessage("must not be the topic of the samples, " + topic);
+    if (config.configValues().stream().allMatch(value -> value.errorMessages().isEmpty())) {
+      ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SOURCE, properties);
+      String file = read.getString(ConnectorSettings.PLANT);
+      try {
+        List<String> robots = robots(file, ConnectorSettings.plantText(file));
+        check(config, ConnectorSettings.TOPIC, () -> read.checkTopics(robots));
+        check(config, ConnectorSettings.LEASE_TOPIC, () -> read.checkLeaseTopic(robots));
+      } catch (FileException e) {
+        addError(config, ConnectorSettings.PLANT, e);
       }
     }
     return config;
+  }
+
+  private static void check(Config config, String key, Runnable check) {
+    try {
+      check.run();
+    } catch (ConfigException e) {
+      addError(config, key, e);
+    }
+  }
+
+  private static void addError(Config config, String key, Exception error) {
+    config.configValues().stream()
+        .filter(value -> value.name().equals(key))
+        .forEach(value -> value.addErrorMessage(String.valueOf(error.getMessage())));
+  }
+
+  private static List<String> robots(String file, String text) throws FileException {
+    return PlantText.read(file, text).robots().keySet().stream().sorted().toList();
   }
 
   @Override
@@ -74,16 +96,13 @@ public final class RobotSourceConnector extends SourceConnector {
     }
     try {
       String text = plant.text();
-      List<String> robots =
-          PlantText.read(settings.getString(ConnectorSettings.PLANT), text)
-              .robots()
-              .keySet()
-              .stream()
-              .sorted()
-              .toList();
+      List<String> robots = robots(settings.getString(ConnectorSettings.PLANT), text);
+      // a robot may have come with a change of the file
+      settings.checkTopics(robots);
+      settings.checkLeaseTopic(robots);
       int groups = Math.min(maxTasks, robots.size());
       return settings.tasks(text, ConnectorUtils.groupPartitions(robots, groups));
-    } catch (FileException e) {
+    } catch (FileException | ConfigException e) {
       // the tasks go on with the plant they have, as after a change to an invalid file
       throw new ConnectException("the tasks stay as they are: " + e.getMessage(), e);
     }

@@ -61,6 +61,7 @@ class ConnectorValidationTest {
           topic,               a b,                  must be letters
           topic,               ..,                   must be letters
           lease.topic,         robots,               must not be the topic of the samples
+          lease.topic,         leases-{robot},       must be letters
           lease.topic,         "",                   must be letters
           lease.ms,            499,                  at least 500
           lease.ms,            9223372036854775807,  no more than 3600000
@@ -74,6 +75,17 @@ class ConnectorValidationTest {
         .asString()
         .startsWith(key + ": ")
         .contains(rule);
+  }
+
+  @Test
+  void aPathWithAForbiddenCharacterIsNamed() {
+    source.put("plant", "a\0b");
+    assertThat(errors(new RobotSourceConnector(), source))
+        .singleElement()
+        .asString()
+        .contains("Nul");
+    sink.put("audit.folder", "a\0b");
+    assertThat(errors(new RobotSinkConnector(), sink)).singleElement().asString().contains("Nul");
   }
 
   @Test
@@ -99,6 +111,24 @@ class ConnectorValidationTest {
         .hasMessageContaining("the tasks stay as they are")
         .hasMessageContaining("plant.toml:1");
     connector.stop();
+  }
+
+  @Test
+  void theTopicsAreCheckedWithTheNamesOfTheRobots() {
+    source.put("topic", "robots-{robot}");
+    source.put("lease.topic", "robots-r1");
+    assertThat(errors(new RobotSourceConnector(), source))
+        .singleElement()
+        .asString()
+        .startsWith("lease.topic: ")
+        .contains("must not be the topic of the samples");
+    source.remove("lease.topic");
+    source.put("topic", "x".repeat(248) + "{robot}");
+    assertThat(errors(new RobotSourceConnector(), source))
+        .singleElement()
+        .asString()
+        .startsWith("topic: ")
+        .contains("at most 249");
   }
 
   @ParameterizedTest

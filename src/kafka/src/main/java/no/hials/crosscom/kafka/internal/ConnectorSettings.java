@@ -1,8 +1,10 @@
 package no.hials.crosscom.kafka.internal;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,6 +13,7 @@ import java.util.regex.Pattern;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.clients.CommonClientConfigs;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.common.config.AbstractConfig;
@@ -85,7 +88,7 @@ public final class ConnectorSettings extends AbstractConfig {
               LEASE_TOPIC,
               ConfigDef.Type.STRING,
               "robots-leases",
-              ConfigDef.LambdaValidator.with(ConnectorSettings::checkTopic, () -> TOPIC_RULE),
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkName, () -> TOPIC_RULE),
               Importance.MEDIUM,
               "The topic of the records that renew the leases and show the figures of each task")
           .define(
@@ -123,7 +126,7 @@ public final class ConnectorSettings extends AbstractConfig {
               AUDIT,
               ConfigDef.Type.STRING,
               ConfigDef.NO_DEFAULT_VALUE,
-              new ConfigDef.NonEmptyString(),
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkPath, () -> "a path"),
               Importance.HIGH,
               "The folder of audit.jsonl on each worker")
           .define(
@@ -139,9 +142,27 @@ public final class ConnectorSettings extends AbstractConfig {
   }
 
   private static void checkTopic(String key, Object value) {
-    String topic = String.valueOf(value).replace(ROBOT, "r");
-    if (!TOPIC_NAME.matcher(topic).matches()) {
+    if (!isTopic(String.valueOf(value).replace(ROBOT, "r"))) {
       throw new ConfigException(key, value, "must be " + TOPIC_RULE);
+    }
+  }
+
+  private static void checkName(String key, Object value) {
+    if (!isTopic(String.valueOf(value))) {
+      throw new ConfigException(key, value, "must be " + TOPIC_RULE);
+    }
+  }
+
+  private static boolean isTopic(String name) {
+    return TOPIC_NAME.matcher(name).matches();
+  }
+
+  private static void checkPath(String key, Object value) {
+    new ConfigDef.NonEmptyString().ensureValid(key, value);
+    try {
+      Path unused = Path.of(String.valueOf(value));
+    } catch (InvalidPathException e) {
+      throw new ConfigException(key, PrintableText.shortened(e.getInput()), e.getReason());
     }
   }
 
@@ -151,7 +172,7 @@ public final class ConnectorSettings extends AbstractConfig {
             PLANT,
             ConfigDef.Type.STRING,
             ConfigDef.NO_DEFAULT_VALUE,
-            new ConfigDef.NonEmptyString(),
+            ConfigDef.LambdaValidator.with(ConnectorSettings::checkPath, () -> "a path"),
             Importance.HIGH,
             "The TOML file with the robots and their variables, on each worker")
         .define(
@@ -184,6 +205,27 @@ public final class ConnectorSettings extends AbstractConfig {
   /** Returns the topic of the samples of a robot. */
   public String topic(String robot) {
     return getString(TOPIC).replace(ROBOT, robot);
+  }
+
+  /**
+   * Checks the topics of the samples of robots.
+   *
+   * @throws ConfigException if one of them is not a valid name
+   */
+  public void checkTopics(Collection<String> robots) {
+    robots.forEach(robot -> checkName(TOPIC, topic(robot)));
+  }
+
+  /**
+   * Checks the topic of the leases.
+   *
+   * @throws ConfigException if it is also the topic of the samples of a robot
+   */
+  public void checkLeaseTopic(Collection<String> robots) {
+    String topic = getString(LEASE_TOPIC);
+    if (robots.stream().map(this::topic).anyMatch(topic::equals)) {
+      throw new ConfigException(LEASE_TOPIC, topic, "must not be the topic of the samples");
+    }
   }
 
   /** Returns a client of the brokers of the sink connector. */

@@ -209,7 +209,7 @@ class ProgramsTest {
   }
 
   @Test
-  void aStopWithoutAnAnswerDelaysNothingElseAndIsNotSentAgain() throws Exception {
+  void aStopWithoutAnAnswerDelaysNothingElse() throws Exception {
     startUnlocked(ServerType.C3_BRIDGE);
     CountDownLatch released = new CountDownLatch(1);
     pages.controller().fault(ProgramsTest::isStop, Fault.hold(released));
@@ -241,7 +241,48 @@ class ProgramsTest {
           return answers.size() == 4;
         });
     assertThat(answers).containsExactlyInAnyOrder(903, 904, 901, 902);
-    assertThat(stops()).isEqualTo(1);
+    assertThat(stops()).isEqualTo(2);
+  }
+
+  private void sendOrder(int id, String order) throws InterruptedException {
+    socket.send(
+        String.format(
+            "{\"id\":%d,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"%s\","
+                + "\"confirmed\":true,\"clock\":%d}",
+            id, order, socket.clock()));
+  }
+
+  private JsonNode answer(int id) throws InterruptedException {
+    return socket.await(it -> it.path("id").asInt() == id);
+  }
+
+  @Test
+  void aStartThatWaitsIsRefusedByALaterStop() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    load("work.src", PROGRAM);
+    pages.controller().controller().robot().select("WORK");
+    CountDownLatch released = new CountDownLatch(1);
+    CountDownLatch held = new CountDownLatch(1);
+    pages
+        .controller()
+        .fault(
+            it -> {
+              boolean isOrder = it.request() instanceof ProgramControlRequest;
+              if (isOrder) {
+                held.countDown();
+              }
+              return isOrder;
+            },
+            Fault.hold(released));
+    sendOrder(901, "reset");
+    held.await();
+    sendOrder(902, "start");
+    socket.send("{\"id\":903,\"do\":\"program-stop\",\"robot\":\"mock\"}");
+
+    assertThat(answer(902).path("error").asText()).isEqualTo("not done: a stop came after it");
+    released.countDown();
+    assertThat(answer(903).has("ok")).isTrue();
+    assertThat(variable("$PRO_STATE1")).isNotEqualTo("#P_ACTIVE");
   }
 
   @Test

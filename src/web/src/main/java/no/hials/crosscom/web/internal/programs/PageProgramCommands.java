@@ -5,11 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.Base64;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
 import java.util.regex.Pattern;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
@@ -31,7 +27,6 @@ import no.hials.crosscom.web.internal.robot.RobotSessions;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
 import no.hials.crosscom.web.internal.socket.Commands;
-import no.hials.crosscom.web.internal.socket.Viewer;
 
 /** Shows, uploads, selects, starts and stops the programs of a controller with C3 Bridge. */
 public final class PageProgramCommands {
@@ -50,9 +45,6 @@ public final class PageProgramCommands {
 
   private final RobotSessions robots;
   private final Changes changes;
-
-  /** The stops that have no answer yet. */
-  private final Map<Stopped, FutureTask<Boolean>> stops = new ConcurrentHashMap<>();
 
   public PageProgramCommands(RobotSessions robots, AuditLog audit) {
     this.robots = robots;
@@ -265,42 +257,10 @@ public final class PageProgramCommands {
             + " message has to be confirmed");
   }
 
-  /** The program of an interpreter that a viewer stops. */
-  private record Stopped(Viewer viewer, RobotSession robot, Interpreter interpreter) {}
-
-  /** Sends one stop for all presses of a viewer until it is answered. */
   private void stop(Call call) throws IOException {
-    Stopped stopped = new Stopped(call.viewer(), robots.of(call), interpreter(call));
-    FutureTask<Boolean> own =
-        new FutureTask<>(
-            () -> {
-              sendStop(call, stopped);
-              return true;
-            });
-    FutureTask<Boolean> earlier = stops.putIfAbsent(stopped, own);
-    if (earlier == null) {
-      try {
-        own.run();
-      } finally {
-        stops.remove(stopped, own);
-      }
-    }
-    try {
-      boolean unused = (earlier == null ? own : earlier).get();
-    } catch (ExecutionException e) {
-      if (e.getCause() instanceof IOException failure) {
-        throw failure;
-      }
-      throw new IllegalStateException(e.getCause());
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new CommandException("the page's server was closed; look at the robot");
-    }
-  }
-
-  private void sendStop(Call call, Stopped stopped) throws IOException {
-    RobotSession robot = stopped.robot;
-    String name = programOf(stopped.interpreter);
+    RobotSession robot = robots.of(call);
+    Interpreter interpreter = interpreter(call);
+    String name = programOf(interpreter);
     changes.make(
         call,
         robot,
@@ -310,7 +270,7 @@ public final class PageProgramCommands {
         () -> {
           robot.lock().checkStop("stop " + name);
           try {
-            robot.client().programs().stop(stopped.interpreter);
+            robot.client().programs().stop(interpreter);
           } catch (CrossComRefusedException e) {
             throw new CommandException(e.getMessage() + "; likely cause: no program is selected");
           } catch (CrossComException e) {

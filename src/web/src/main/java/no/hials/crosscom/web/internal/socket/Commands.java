@@ -57,8 +57,8 @@ public final class Commands {
   }
 
   /**
-   * Adds a command that may wait for a robot or a file, but not for earlier commands of the viewer,
-   * such as one that stops something. It runs however old it is.
+   * Adds a command that stops something. It may wait for a robot, but not for earlier commands of
+   * the viewer: the changes of the robot that still wait are refused. It runs however old it is.
    */
   public void addOvertaking(String name, Role role, Command command) {
     put(name, new Entry(role, Urgency.OVERTAKING, command));
@@ -74,6 +74,12 @@ public final class Commands {
   Urgency urgency(JsonNode message) {
     Entry entry = entry(message);
     return entry == null ? Urgency.QUICK : entry.urgency;
+  }
+
+  /** Returns whether a message waits for its turn to change something. */
+  boolean isChange(JsonNode message) {
+    Entry entry = entry(message);
+    return entry != null && entry.urgency == Urgency.IN_ORDER && entry.role != Role.VIEW;
   }
 
   private @Nullable Entry entry(JsonNode message) {

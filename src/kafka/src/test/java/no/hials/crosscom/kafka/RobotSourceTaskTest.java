@@ -7,8 +7,6 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Predicate;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
@@ -129,7 +127,7 @@ class RobotSourceTaskTest {
   void theGapAfterAPauseSaysThatTheTaskWasNotCalled() throws Exception {
     var unused = await(sample -> sample.getString("quality").equals("good"));
     while (robot.clientCount() > 0) {
-      boolean ignored = new CountDownLatch(1).await(5, TimeUnit.MILLISECONDS);
+      Thread.onSpinWait();
     }
     assertThat(reason("gap"))
         .isEqualTo(
@@ -153,7 +151,7 @@ class RobotSourceTaskTest {
   void withoutTheLeaseNoRecordOfARobotIsSent() throws Exception {
     var unused = await(sample -> sample.getString("quality").equals("good"));
     while (robot.clientCount() > 0) {
-      boolean ignored = new CountDownLatch(1).await(5, TimeUnit.MILLISECONDS);
+      Thread.onSpinWait();
     }
     // as after a freeze: the samples before it wait, and a beat can be acknowledged
     for (int calls = 0; calls < 10; calls++) {

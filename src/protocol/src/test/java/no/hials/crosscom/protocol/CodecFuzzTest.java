@@ -9,7 +9,7 @@ import no.hials.crosscom.protocol.variable.VariableResponse.ValueResponse;
  * Decodes what Jazzer makes of the frames in {@code CodecFuzzTestInputs}. {@code mvn test} tries
  * those frames only; this looks for more, until it finds something or is stopped:
  *
- * <pre>JAZZER_FUZZ=1 mvn -pl src/protocol test -Dtest=CodecFuzzTest</pre>
+ * <pre>JAZZER_FUZZ=1 mvn -pl src/protocol test -Dtest=CodecFuzzTest -Dtests.jvm=</pre>
  */
 final class CodecFuzzTest {
 

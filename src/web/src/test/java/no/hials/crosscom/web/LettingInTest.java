@@ -135,7 +135,7 @@ class LettingInTest {
   void nobodyLetsOneInWhoMayDoMore(Role own, String wanted) throws Exception {
     try (TestSocket page = pages.open(own)) {
       assertThat(letIn(page, wanted, "").path("error").asText())
-          .isEqualTo("a browser that may only " + own + " cannot let one in that may " + wanted);
+          .isEqualTo("a browser that may only " + own + " cannot create a link for " + wanted);
       assertThat(letIn(page, own.name(), "").at("/ok/link").asText()).isNotEmpty();
     }
   }

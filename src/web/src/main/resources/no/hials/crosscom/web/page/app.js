@@ -62,7 +62,7 @@ function Connection() {
     lost: 'The connection to the server is lost. Nothing on this page is up to date. Trying again …',
     ended:
       "This browser has no session any more: it was sent away, or 'jopenshowvar web' was started" +
-      ' again. Open the link that it has printed, or ask somebody who is in for a link.',
+      ' again. Open the link that it has printed, or ask somebody with an open page for a link.',
   };
   return h('p', { class: `banner ${socket}`, role: 'alert' }, texts[socket]);
 }

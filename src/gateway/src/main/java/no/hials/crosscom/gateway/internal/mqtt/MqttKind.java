@@ -172,7 +172,7 @@ public final class MqttKind implements OutputKind<MqttSettings> {
       return null;
     }
     if (!tls) {
-      throw table.error(CA_FILE, "needs an url that begins with ssl://");
+      throw table.error(CA_FILE, "needs a url that begins with ssl://");
     }
     try {
       Object unused = BrokerSettings.trust(file);

@@ -84,7 +84,7 @@ class MqttKindTest {
         "store-limit = \"10 kB\" | mqtt.store-limit: must be 100 kB or more",
         "store-limit = \"much\" | mqtt.store-limit: must be like 500 kB, 100 MB or 2 GB, is much",
         "password-file = \"x\" | mqtt.password-file: needs a user",
-        "ca-file = \"x\" | mqtt.ca-file: needs an url that begins with ssl://",
+        "ca-file = \"x\" | mqtt.ca-file: needs a url that begins with ssl://",
         "sparkplug-group = \"g\" | sparkplug-group and sparkplug-node need each other",
         "sparkplug-group = \"a/b\" | mqtt.sparkplug-group: must not have a slash in it",
         "clientid = \"g\" | mqtt.clientid: no such key; known: url, version",

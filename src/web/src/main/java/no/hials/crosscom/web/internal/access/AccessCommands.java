@@ -119,7 +119,7 @@ public final class AccessCommands {
                     new CommandException(
                         "a browser that may only "
                             + call.viewer().role()
-                            + " cannot let one in that may "
+                            + " cannot create a link for "
                             + role));
     log(call.viewer().name(), "let in", role + (label.isEmpty() ? "" : ", for " + label));
     String link = origin + "/?token=" + token;

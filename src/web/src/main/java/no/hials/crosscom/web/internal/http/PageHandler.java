@@ -26,7 +26,7 @@ public final class PageHandler extends Handler.Abstract {
   private static final String TOKEN = "token";
   private static final String NO_SESSION =
       "This browser has no session. Open the link that 'jopenshowvar web' has printed, or ask"
-          + " somebody who is in for a link; each link works once.";
+          + " somebody with an open page for a link; each link works once.";
 
   /**
    * The answer to a link. A redirect would not work: after a link on another site, such as a web

@@ -98,7 +98,8 @@ final class JogOwner {
   }
 
   /**
-   * Frees the robot for the page that asked, if any; or withdraws the question of this page.
+   * Ends what a page has here: frees the robot if the page owns it, so that a page that has asked
+   * gets it, or withdraws the question of the page.
    *
    * @return whether there was anything to give up
    */

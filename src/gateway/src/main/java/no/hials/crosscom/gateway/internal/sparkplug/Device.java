@@ -104,26 +104,42 @@ final class Device {
 
   private DeviceMetric metric(Leaf leaf, PlannedVariable variable) {
     return metrics.computeIfAbsent(
-        leaf.name(),
-        name -> {
-          changed = true;
-          return new DeviceMetric(
-              name,
-              variable.key(),
-              aliases.getAsLong(),
-              variable.unit(UNITS, name),
-              DeviceMetric.type(leaf.value()));
-        });
+        leaf.name(), name -> create(name, variable, DeviceMetric.type(leaf.value())));
+  }
+
+  private DeviceMetric create(
+      String name, @Nullable PlannedVariable variable, MetricDataType type) {
+    changed = true;
+    return new DeviceMetric(
+        name,
+        variable == null ? "" : variable.key(),
+        aliases.getAsLong(),
+        variable == null ? "" : variable.unit(UNITS, name),
+        type);
   }
 
   /** Returns the metric of a stored message. A new metric becomes part of the next birth. */
   DeviceMetric fromStore(String name, MetricDataType type) {
-    return metrics.computeIfAbsent(
-        name,
-        it -> {
-          changed = true;
-          return new DeviceMetric(it, "", aliases.getAsLong(), "", type);
-        });
+    return metrics.computeIfAbsent(name, it -> create(it, variableOf(it), type));
+  }
+
+  /** Returns the planned variable with a leaf of a name: the smallest one; null without one. */
+  private @Nullable PlannedVariable variableOf(String name) {
+    PlannedVariable found = null;
+    for (PlannedVariable variable : robot.plan().variables().values()) {
+      if (isLeaf(name, variable.key())
+          && (found == null || variable.key().length() > found.key().length())) {
+        found = variable;
+      }
+    }
+    return found;
+  }
+
+  private static boolean isLeaf(String name, String key) {
+    if (Leaf.isWholeArray(key)) {
+      return name.startsWith(key.substring(0, key.length() - 1));
+    }
+    return name.equals(key) || name.startsWith(key + ".") || name.startsWith(key + "[");
   }
 
   /** Returns the metric of an alias or, ignoring case, of a name; null if there is none. */

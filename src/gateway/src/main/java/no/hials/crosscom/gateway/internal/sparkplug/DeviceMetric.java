@@ -23,7 +23,7 @@ final class DeviceMetric {
 
   private final String name;
 
-  /** The variable that it is read with, in upper case; empty if it is known only from the store. */
+  /** The variable that it is read with, in upper case; empty if it is no longer configured. */
   private final String variable;
 
   private final long alias;

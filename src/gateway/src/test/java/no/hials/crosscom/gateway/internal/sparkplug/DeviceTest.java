@@ -19,6 +19,8 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.eclipse.tahu.message.model.Metric;
+import org.eclipse.tahu.message.model.MetricDataType;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -37,7 +39,7 @@ class DeviceTest {
         [robots.cell1]
         host = "%s:%d"
         [groups.all]
-        variables = ["S"]
+        variables = ["S", "$POS_ACT", "LIST[]"]
         period = "1s"
         """
             .formatted(robot.host(), robot.port());
@@ -52,10 +54,38 @@ class DeviceTest {
     feed.close();
   }
 
+  private List<DeviceMetric> take(String variable, Quality quality, @Nullable KrlValue value) {
+    PlannedVariable planned = feed.plan().variables().get(variable);
+    return device.take(List.of(new Update(planned, Instant.now(), quality, value, "")));
+  }
+
   private List<DeviceMetric> take(String value) {
-    PlannedVariable variable = feed.plan().variables().get("S");
-    return device.take(
-        List.of(new Update(variable, Instant.now(), Quality.GOOD, KrlValue.parse(value), "")));
+    return take("S", Quality.GOOD, KrlValue.parse(value));
+  }
+
+  private Metric birthOf(String name) {
+    return device.birth().stream().filter(it -> name.equals(it.getName())).findAny().orElseThrow();
+  }
+
+  private static Object property(Metric metric, String name) {
+    return metric.getProperties().getPropertyMap().get(name).getValue();
+  }
+
+  @Test
+  void aMetricOfTheStoreBelongsToItsVariable() {
+    DeviceMetric x = device.fromStore("$POS_ACT.X", MetricDataType.Float);
+    DeviceMetric element = device.fromStore("LIST[2]", MetricDataType.Int32);
+    assertThat(x.isOf("$POS_ACT")).isTrue();
+    assertThat(element.isOf("LIST[]")).isTrue();
+    assertThat(device.fromStore("SUM", MetricDataType.Int32).isOf("S")).isFalse();
+
+    take("$POS_ACT", Quality.GOOD, KrlValue.parse("{X 1.0}"));
+    assertThat(property(birthOf("$POS_ACT.X"), "engUnit")).isEqualTo("mm");
+    take("$POS_ACT", Quality.BAD, null);
+
+    assertThat(birthOf("$POS_ACT.X").getValue()).isNull();
+    assertThat(property(birthOf("$POS_ACT.X"), "Quality")).isEqualTo(0);
+    assertThat(property(birthOf("LIST[2]"), "Quality")).isEqualTo(500);
   }
 
   @Test

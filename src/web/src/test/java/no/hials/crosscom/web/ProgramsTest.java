@@ -244,45 +244,26 @@ class ProgramsTest {
     assertThat(stops()).isEqualTo(2);
   }
 
-  private void sendOrder(int id, String order) throws InterruptedException {
-    socket.send(
-        String.format(
-            "{\"id\":%d,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"%s\","
-                + "\"confirmed\":true,\"clock\":%d}",
-            id, order, socket.clock()));
-  }
-
-  private JsonNode answer(int id) throws InterruptedException {
-    return socket.await(it -> it.path("id").asInt() == id);
-  }
-
   @Test
-  void aStartThatWaitsIsRefusedByALaterStop() throws Exception {
+  void aStartThatWasSentBeforeAStopIsRefusedAfterIt() throws Exception {
     startUnlocked(ServerType.C3_BRIDGE);
     load("work.src", PROGRAM);
     pages.controller().controller().robot().select("WORK");
-    CountDownLatch released = new CountDownLatch(1);
-    CountDownLatch held = new CountDownLatch(1);
-    pages
-        .controller()
-        .fault(
-            it -> {
-              boolean isOrder = it.request() instanceof ProgramControlRequest;
-              if (isOrder) {
-                held.countDown();
-              }
-              return isOrder;
-            },
-            Fault.hold(released));
-    sendOrder(901, "reset");
-    held.await();
-    sendOrder(902, "start");
-    socket.send("{\"id\":903,\"do\":\"program-stop\",\"robot\":\"mock\"}");
+    long before = socket.clock() - 1;
+    assertThat(change("program-stop")).isEmpty();
 
-    assertThat(answer(902).path("error").asText()).isEqualTo("not done: a stop came after it");
-    released.countDown();
-    assertThat(answer(903).has("ok")).isTrue();
-    assertThat(variable("$PRO_STATE1")).isNotEqualTo("#P_ACTIVE");
+    socket.send(
+        String.format(
+            "{\"id\":901,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"start\","
+                + "\"confirmed\":true,\"clock\":%d}",
+            before));
+
+    assertThat(socket.await(it -> it.path("id").asInt() == 901).path("error").asText())
+        .isEqualTo(
+            "did not start the program of the robot interpreter: a program of the robot was stopped"
+                + " meanwhile; look at the robot, and try again");
+    assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
+    assertThat(change("program-order", "order", "'start'")).isEmpty();
   }
 
   @Test

@@ -269,6 +269,7 @@ public final class PageProgramCommands {
         "",
         () -> {
           robot.lock().checkStop("stop " + name);
+          robot.lock().refuseWaiting();
           try {
             robot.client().programs().stop(interpreter);
           } catch (CrossComRefusedException e) {
@@ -278,6 +279,8 @@ public final class PageProgramCommands {
                 e.isOutcomeUnknown()
                     ? "the stop was sent, but not answered: " + e.getMessage()
                     : "the stop was not sent: " + e.getMessage());
+          } finally {
+            robot.lock().refuseWaiting();
           }
         });
   }

@@ -18,6 +18,7 @@ public final class Lock {
   private final boolean readOnly;
   private final WritePermission permission;
   private volatile @Nullable String openedBy;
+  private volatile long stoppedAt = Long.MIN_VALUE;
 
   Lock(Robot robot, boolean readOnly) {
     this.robot = withoutFolder(robot);
@@ -47,8 +48,9 @@ public final class Lock {
   }
 
   /**
-   * Checks that a change is allowed: the robot is unlocked, and the person has confirmed the change
-   * ({@code "confirmed": true} in the message). Needs no connection.
+   * Checks that a change is allowed: the robot is unlocked, no program was stopped since the page
+   * sent it, and the person has confirmed it ({@code "confirmed": true} in the message). Needs no
+   * connection.
    *
    * @param what the operation, such as {@code write $OV_PRO}
    * @throws IOException if it is not allowed
@@ -57,6 +59,12 @@ public final class Lock {
     permission.checkAllowed(robot, what);
     if (openedBy == null) {
       throw new CommandException("did not " + what + ": the robot is locked");
+    }
+    if (call.isFromBefore(stoppedAt)) {
+      throw new CommandException(
+          "did not "
+              + what
+              + ": a program of the robot was stopped meanwhile; look at the robot, and try again");
     }
     if (!call.flag("confirmed")) {
       throw new CommandException("did not " + what + ": not confirmed");
@@ -72,6 +80,11 @@ public final class Lock {
    */
   public void checkStop(String what) throws IOException {
     permission.checkAllowed(robot, what);
+  }
+
+  /** Refuses from now on the changes that pages have sent until now and that still wait. */
+  public void refuseWaiting() {
+    stoppedAt = Call.now();
   }
 
   /**

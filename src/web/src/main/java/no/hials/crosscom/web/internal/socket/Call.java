@@ -25,7 +25,7 @@ public record Call(Viewer viewer, JsonNode message) {
   private static final long START = System.nanoTime();
 
   /** Returns the time of the clock for commands, in ms. */
-  static long now() {
+  public static long now() {
     return TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - START);
   }
 
@@ -43,6 +43,12 @@ public record Call(Viewer viewer, JsonNode message) {
       throw new CommandException(
           "not done: it waited too long, in the network or behind other commands");
     }
+  }
+
+  /** Returns whether the page had no answer of this time yet when it sent the command. */
+  public boolean isFromBefore(long time) {
+    JsonNode clock = message.path("clock");
+    return clock.isIntegralNumber() && clock.longValue() < time;
   }
 
   /** Returns a text of at most 4096 characters. */

@@ -57,8 +57,8 @@ public final class Commands {
   }
 
   /**
-   * Adds a command that stops something. It may wait for a robot, but not for earlier commands of
-   * the viewer: the changes of the robot that still wait are refused. It runs however old it is.
+   * Adds a command that may wait for a robot or a file, but not for earlier commands of the viewer,
+   * such as one that stops something. It runs however old it is.
    */
   public void addOvertaking(String name, Role role, Command command) {
     put(name, new Entry(role, Urgency.OVERTAKING, command));
@@ -76,12 +76,6 @@ public final class Commands {
     return entry == null ? Urgency.QUICK : entry.urgency;
   }
 
-  /** Returns whether a message waits for its turn to change something. */
-  boolean isChange(JsonNode message) {
-    Entry entry = entry(message);
-    return entry != null && entry.urgency == Urgency.IN_ORDER && entry.role != Role.VIEW;
-  }
-
   private @Nullable Entry entry(JsonNode message) {
     JsonNode name = message.get("do");
     return name == null || !name.isTextual() ? null : entries.get(name.textValue());
@@ -89,9 +83,14 @@ public final class Commands {
 
   /** Runs the command of a message and returns the answer. */
   ObjectNode answer(Viewer viewer, JsonNode message) {
+    ObjectNode answer = run(viewer, message);
+    // the time of the end: a page that sends its next command has seen what happened before
+    return answer.put("clock", Call.now());
+  }
+
+  private ObjectNode run(Viewer viewer, JsonNode message) {
     ObjectNode answer = Json.object();
     answer.set("id", message.path("id").isIntegralNumber() ? message.get("id") : Json.NULL);
-    answer.put("clock", Call.now());
     Entry entry = entry(message);
     if (entry == null) {
       return answer.put("error", "there is no such command");

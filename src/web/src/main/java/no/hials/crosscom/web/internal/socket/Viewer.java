@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.ByteBuffer;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -30,7 +29,6 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   /** More than a person at a page stops at a time, each in a thread. */
   private static final int MAX_OVERTAKING = 16;
 
-  private static final String ROBOT = "robot";
   private static final int POLICY_VIOLATION = 1008;
 
   private static final AtomicLong COUNT = new AtomicLong();
@@ -224,7 +222,6 @@ public final class Viewer implements Session.Listener.AutoDemanding {
 
   /** Runs a command now, while others wait. */
   private void overtake(JsonNode message) {
-    refuseWaiting(message.path(ROBOT));
     if (overtaking.tryAcquire()) {
       workers.execute(
           () -> {
@@ -237,16 +234,6 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     } else {
       reply(error(message.get("id"), "too many commands wait"));
     }
-  }
-
-  /** Refuses the changes of a robot that wait: a start must not follow a later stop. */
-  private void refuseWaiting(JsonNode robot) {
-    List<JsonNode> refused = new ArrayList<>();
-    synchronized (this) {
-      waiting.removeIf(
-          it -> commands.isChange(it) && it.path(ROBOT).equals(robot) && refused.add(it));
-    }
-    refused.forEach(it -> reply(error(it.get("id"), "not done: a stop came after it")));
   }
 
   /** Runs the waiting commands, one after the other. */

@@ -91,7 +91,7 @@ function Stop({ robot, interpreter, bridge }) {
     await stop(robot, interpreter);
     setBusy(false);
   };
-  const disabled = busy || !mayStop() || !bridge;
+  const disabled = busy || !mayStop() || bridge === false;
   return h('button', { class: 'stop', disabled, onClick: press }, busy ? 'Stopping …' : 'Stop');
 }
 

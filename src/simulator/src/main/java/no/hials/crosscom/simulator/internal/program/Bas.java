@@ -53,7 +53,10 @@ final class Bas {
                 bas.set("$VEL.CP", argument);
               }));
 
-  /** Commands of which only the names are known; they cannot move the robot (assumed). */
+  /**
+   * Commands of which only the names are known; they cannot move the robot (assumed). Not
+   * {@linkplain #isSimulated simulated}, as {@link #EXTERNAL_BASE}.
+   */
   private static final Set<String> WITHOUT_EFFECT = Set.of("OUT_SYNC", "OUT_ASYNC", "GROUP");
 
   private static final String EXTERNAL_BASE = "EX_BASE";
@@ -91,8 +94,11 @@ final class Bas {
     return null;
   }
 
-  /** Returns whether an expression is a command that is built in. */
-  static boolean isCommand(Expression expression) {
+  /**
+   * Returns whether an expression is a command that is simulated. Only for these the built-in
+   * routine is better than a loaded one with an error in the CASE of the command.
+   */
+  static boolean isSimulated(Expression expression) {
     return expression instanceof Expression.EnumLiteral constant
         && COMMANDS.containsKey(Scope.key(constant.name()));
   }

@@ -449,7 +449,7 @@ final class StatementCompiler {
     for (int i = 0; i < bodies.size(); i++) {
       code.mark(bodies.get(i));
       Statement.Case branchCase = branch.cases().get(i);
-      if (bas && branchCase.values().stream().anyMatch(Bas::isCommand)) {
+      if (bas && branchCase.values().stream().anyMatch(Bas::isSimulated)) {
         statements(branchCase.body());
       } else {
         nested(branchCase.body());

@@ -91,7 +91,7 @@ public final class MqttKind implements OutputKind<MqttSettings> {
     String topic = topic(table, TOPIC, true);
     if (topic != null && (topic + "/").startsWith(SparkplugId.NAMESPACE + "/")) {
       throw table.error(
-          TOPIC, "must not begin with " + SparkplugId.NAMESPACE + ", which is that of Sparkplug");
+          TOPIC, "must not begin with " + SparkplugId.NAMESPACE + ", the namespace of Sparkplug");
     }
     return new MqttSettings(
         broker,

@@ -5,12 +5,12 @@ import java.util.regex.Pattern;
 /** The names by which Windows opens devices, in any folder and with any ending. */
 public final class DeviceNames {
   private static final Pattern DEVICE =
-      Pattern.compile("CON|PRN|AUX|NUL|COM[0-9]|LPT[0-9]", Pattern.CASE_INSENSITIVE);
+      Pattern.compile("CON|PRN|AUX|NUL|(?:COM|LPT)[0-9¹²³]", Pattern.CASE_INSENSITIVE);
 
   private DeviceNames() {}
 
   /** Returns whether a name without its ending is that of a device. */
-  public static boolean contain(String name) {
+  public static boolean isDevice(String name) {
     return DEVICE.matcher(name).matches();
   }
 }

@@ -72,7 +72,7 @@ final class RecordingFiles implements Route {
     if (!isAllowed(name)) {
       throw new CommandException(
           "the name of a recording must have 1 to 60 letters of A to Z, digits, - and _, begin with"
-              + " a letter or digit, and be no name of a device");
+              + " a letter or digit, and must not be a device name of Windows");
     }
     if (list().size() >= MAX_FILES) {
       throw new CommandException("there are " + MAX_FILES + " recordings: delete one first");
@@ -86,7 +86,7 @@ final class RecordingFiles implements Route {
   }
 
   private static boolean isAllowed(String name) {
-    return NAME.matcher(name).matches() && !DeviceNames.contain(name);
+    return NAME.matcher(name).matches() && !DeviceNames.isDevice(name);
   }
 
   /** Returns whether there is a file; not for a link, which may lead out of the folder. */

@@ -72,8 +72,8 @@ public final class Lock {
   }
 
   /**
-   * Checks that a stop is allowed: unless the robot is read-only. It makes a robot safer, so it
-   * needs neither an unlocked robot nor a confirmation, like {@code program stop}.
+   * Checks that a stop is allowed, which only a read-only robot refuses. It makes a robot safer, so
+   * it needs neither an unlocked robot nor a confirmation, like {@code program stop}.
    *
    * @param what the operation, such as {@code stop the program}
    * @throws IOException if it is not allowed

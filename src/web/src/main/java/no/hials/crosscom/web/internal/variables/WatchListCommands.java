@@ -97,10 +97,10 @@ public final class WatchListCommands {
 
   private Path file(Call call) throws CommandException {
     String name = call.text("name");
-    if (!NAME.matcher(name).matches() || DeviceNames.contain(name)) {
+    if (!NAME.matcher(name).matches() || DeviceNames.isDevice(name)) {
       throw new CommandException(
           "the name of a list must have 1 to 60 letters, digits, blanks, - and _, begin and end"
-              + " with none of the last three, and be no name of a device");
+              + " with none of the last three, and must not be a device name of Windows");
     }
     return folder.resolve(name + ENDING);
   }

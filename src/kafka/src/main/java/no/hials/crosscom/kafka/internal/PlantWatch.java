@@ -49,9 +49,9 @@ public final class PlantWatch implements AutoCloseable {
             this::look, period.toMillis(), period.toMillis(), TimeUnit.MILLISECONDS);
   }
 
-  private void look() {
+  void look() {
     try {
-      if (hasChanged(ConnectorSettings.plantText(file))) {
+      if (accept(ConnectorSettings.plantText(file))) {
         LOG.info("{} has changed: the tasks restart with it", file);
         changed.run();
       }
@@ -60,7 +60,8 @@ public final class PlantWatch implements AutoCloseable {
     }
   }
 
-  private synchronized boolean hasChanged(String now) {
+  /** Keeps a valid text, and returns whether it differs from the one before. */
+  private synchronized boolean accept(String now) {
     complaint = "";
     boolean different = !now.equals(text);
     text = now;

@@ -20,14 +20,14 @@ class PlantWatchTest {
   @TempDir private Path folder;
   private final Semaphore changes = new Semaphore(0);
 
-  private PlantWatch watch(Path file) {
-    return new PlantWatch(file.toString(), changes::release, Duration.ofMillis(10));
+  private PlantWatch watch(Path file, Duration period) {
+    return new PlantWatch(file.toString(), changes::release, period);
   }
 
   @Test
   void aFileThatIsInvalidAtTheStartIsTakenOnceItIsValid() throws Exception {
     Path file = Files.writeString(folder.resolve("plant.toml"), VALID + "[half");
-    try (PlantWatch watch = watch(file)) {
+    try (PlantWatch watch = watch(file, Duration.ofMillis(10))) {
       assertThatThrownBy(watch::text)
           .isInstanceOf(FileException.class)
           .hasMessageContaining("plant.toml:3");
@@ -40,12 +40,16 @@ class PlantWatchTest {
   @Test
   void aFileThatBecomesInvalidStaysAsItWas() throws Exception {
     Path file = Files.writeString(folder.resolve("plant.toml"), VALID);
-    try (PlantWatch watch = watch(file)) {
+    // only the test looks
+    try (PlantWatch watch = watch(file, Duration.ofHours(1))) {
       Files.writeString(file, VALID + "[half");
+      watch.look();
       assertThat(watch.text()).isEqualTo(VALID);
+      assertThat(changes.availablePermits()).isZero();
       String other = VALID.replace("r1", "r2");
       Files.writeString(file, other);
-      changes.acquire();
+      watch.look();
+      assertThat(changes.availablePermits()).isOne();
       assertThat(watch.text()).isEqualTo(other);
     }
   }

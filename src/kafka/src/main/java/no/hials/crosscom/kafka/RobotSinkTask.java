@@ -11,13 +11,13 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.FileException;
-import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.Writes;
 import no.hials.crosscom.kafka.internal.Claims;
 import no.hials.crosscom.kafka.internal.CommandWriter;
 import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.Lease;
+import no.hials.crosscom.kafka.internal.TaskPlant;
 import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
@@ -32,14 +32,17 @@ import org.slf4j.LoggerFactory;
 /**
  * Writes records in four steps: it holds them, lets Connect commit their offset with a claim, reads
  * the claim back from the brokers, and then writes each record once, while the lease that the
- * answer started lasts. A record is written only after it is claimed, and only by the task that
- * claimed it.
+ * answer started lasts. A record is written only after it is claimed, only by the task that claimed
+ * it, and only while the plant of the task is that of the file on its worker.
  */
 public final class RobotSinkTask extends SinkTask {
   private static final Logger LOG = LoggerFactory.getLogger(RobotSinkTask.class);
 
   /** The time until the task is called again while it waits for a commit. */
   private static final long WAIT_MILLIS = 5;
+
+  /** The time until the task is called again while its plant differs from the file. */
+  private static final long OUTDATED_MILLIS = 500;
 
   /** The time after which a claim that is not verified is committed again. */
   private static final long REPEAT_NANOS = 5_000_000_000L;
@@ -74,7 +77,7 @@ public final class RobotSinkTask extends SinkTask {
   @Override
   public void start(Map<String, String> properties) {
     ConnectorSettings read = ConnectorSettings.of(ConnectorSettings.SINK, properties);
-    Plant plant;
+    TaskPlant plant;
     try {
       plant = read.taskPlant();
     } catch (FileException e) {
@@ -103,6 +106,13 @@ public final class RobotSinkTask extends SinkTask {
     return claims;
   }
 
+  private CommandWriter writer() {
+    if (writer == null) {
+      throw new IllegalStateException("not started");
+    }
+    return writer;
+  }
+
   @Override
   public void open(Collection<TopicPartition> partitions) {
     claims().open(partitions, FIRST_PATIENCE).forEach(context::offset);
@@ -125,6 +135,16 @@ public final class RobotSinkTask extends SinkTask {
       } else {
         claims().hold(record);
       }
+    }
+    if (claims().isEmpty()) {
+      context.resume(claims().assigned());
+      return;
+    }
+    // before a claim too: what is not claimed stays for the task with the new plant
+    if (!writer().isCurrent()) {
+      context.pause(claims().assigned());
+      context.timeout(OUTDATED_MILLIS);
+      return;
     }
     if (claims().hasClaimed() && isVerified()) {
       writeClaimed();
@@ -171,12 +191,8 @@ public final class RobotSinkTask extends SinkTask {
   }
 
   private void writeClaimed() {
-    CommandWriter own = writer;
-    if (own == null) {
-      throw new IllegalStateException("not started");
-    }
     List<SinkRecord> claimed = claims().claimed();
-    Map<SinkRecord, Optional<Exception>> outcomes = own.write(claimed);
+    Map<SinkRecord, Optional<Exception>> outcomes = writer().write(claimed);
     for (SinkRecord record : claimed) {
       Optional<Exception> outcome = outcomes.get(record);
       if (outcome != null) {
@@ -185,7 +201,7 @@ public final class RobotSinkTask extends SinkTask {
       }
     }
     if (!claims().hasClaimed()) {
-      own.forgetSilent();
+      writer().forgetSilent();
       // otherwise the claim would look like that of a task that has ended
       requestCommit();
     }

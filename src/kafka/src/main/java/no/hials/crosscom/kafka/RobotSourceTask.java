@@ -127,7 +127,7 @@ public final class RobotSourceTask extends SourceTask {
     Map<Map<String, String>, Map<String, Object>> offsets =
         context.offsetStorageReader().offsets(partitions);
     try {
-      Plant plant = read.taskPlant();
+      Plant plant = read.taskPlant().plant();
       plant.plans().stream()
           .filter(plan -> names.contains(plan.robot().name()))
           .map(

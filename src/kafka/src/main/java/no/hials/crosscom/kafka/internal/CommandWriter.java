@@ -22,7 +22,6 @@ import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComValueException;
 import no.hials.crosscom.cell.RobotConnection;
-import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Writes;
@@ -41,7 +40,7 @@ import org.slf4j.LoggerFactory;
 public final class CommandWriter implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(CommandWriter.class);
 
-  private final Plant plant;
+  private final TaskPlant plant;
   private final Writes writes;
   private final Lease lease;
   private final Duration maxAge;
@@ -57,10 +56,11 @@ public final class CommandWriter implements AutoCloseable {
   /**
    * Creates a writer.
    *
+   * @param plant the robots; no record is written while their file differs
    * @param lease the lease, without which no record is written
    * @param maxAge the maximum difference between the timestamp of a record and the current time
    */
-  public CommandWriter(Plant plant, Writes writes, Lease lease, Duration maxAge) {
+  public CommandWriter(TaskPlant plant, Writes writes, Lease lease, Duration maxAge) {
     this.plant = plant;
     this.writes = writes;
     this.lease = lease;
@@ -68,7 +68,7 @@ public final class CommandWriter implements AutoCloseable {
   }
 
   /**
-   * Writes records while the lease is held.
+   * Writes records while the lease is held and the plant is that of the file.
    *
    * @return the result of each finished record: empty if it was written, otherwise the reason why
    *     not. A record without a result was not sent
@@ -104,6 +104,11 @@ public final class CommandWriter implements AutoCloseable {
     return outcomes;
   }
 
+  /** Returns whether the plant is that of the file: otherwise no record is written. */
+  public boolean isCurrent() {
+    return plant.isCurrent();
+  }
+
   /** Forgets which robots did not answer, so that their next records are tried. */
   public void forgetSilent() {
     silent.clear();
@@ -122,7 +127,7 @@ public final class CommandWriter implements AutoCloseable {
         };
     try {
       for (Map.Entry<SinkRecord, SinkCommand> one : commands.entrySet()) {
-        if (!lease.isHeld()) {
+        if (!lease.isHeld() || !plant.isCurrent()) {
           break;
         }
         SinkRecord record = one.getKey();
@@ -132,7 +137,7 @@ public final class CommandWriter implements AutoCloseable {
             robot = open(name, allowed);
           }
           writes.write(
-              who(record), plant, robot, one.getValue().variable(), one.getValue().value());
+              who(record), plant.plant(), robot, one.getValue().variable(), one.getValue().value());
           outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
           // the lease ended meanwhile: the robot may not be silent at all
@@ -198,7 +203,7 @@ public final class CommandWriter implements AutoCloseable {
 
   private RobotFeed open(String name, BooleanSupplier allowed) throws IOException {
     PollPlan plan =
-        plant.plans().stream()
+        plant.plant().plans().stream()
             .filter(one -> one.robot().name().equals(name))
             .findFirst()
             .orElseThrow(() -> new DataException("no robot is named " + name));

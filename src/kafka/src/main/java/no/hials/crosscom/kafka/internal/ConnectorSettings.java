@@ -268,12 +268,12 @@ public final class ConnectorSettings extends AbstractConfig {
   }
 
   /** Returns the plant of a task. */
-  public Plant taskPlant() throws FileException {
+  public TaskPlant taskPlant() throws FileException {
     String error = originalsStrings().get(TASK_PLANT_ERROR);
     if (error != null) {
       throw new FileException(error);
     }
-    return PlantText.read(getString(PLANT), own(TASK_PLANT));
+    return new TaskPlant(getString(PLANT), own(TASK_PLANT));
   }
 
   /** Returns the names of the robots of a task. */

@@ -189,6 +189,24 @@ class ConnectorsIT {
     Files.writeString(robots.file(), text);
   }
 
+  @Test
+  void afterAPauseNothingIsWrittenThatTheFileForbidsByThen() throws Exception {
+    worker.put(name, sink("writes.enabled", "true"));
+    send("r1", "$OV_PRO", "40");
+    awaitWrite("r1");
+    worker.setPaused(name, true);
+    while (!taskState().equals("PAUSED")) {
+      JavaProcess.pause(50);
+    }
+    String text = Files.readString(robots.file());
+    Files.writeString(robots.file(), text.replace("write = true", "write = false"));
+    send("r1", "$OV_PRO", "41");
+    worker.setPaused(name, false);
+    assertThat(deadLetter()).contains("41", "does not allow it");
+    assertThat(writes("r1")).extracting(RecordedRequest::value).containsExactly("40");
+    Files.writeString(robots.file(), text);
+  }
+
   private String taskState() throws Exception {
     JsonNode status = new ObjectMapper().readTree(worker.get("/connectors/" + name + "/status"));
     return status.path("tasks").path(0).path("state").asText();

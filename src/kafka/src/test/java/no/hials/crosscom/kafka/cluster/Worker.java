@@ -119,6 +119,16 @@ final class Worker implements AutoCloseable {
                 .build());
   }
 
+  /** Pauses a connector, or resumes it. */
+  void setPaused(String connector, boolean paused) throws IOException, InterruptedException {
+    String unused =
+        send(
+            HttpRequest.newBuilder(
+                    uri("/connectors/" + connector + (paused ? "/pause" : "/resume")))
+                .PUT(BodyPublishers.noBody())
+                .build());
+  }
+
   void delete(String connector) throws IOException, InterruptedException {
     HttpRequest request = HttpRequest.newBuilder(uri("/connectors/" + connector)).DELETE().build();
     HttpResponse<String> unused = HTTP.send(request, BodyHandlers.ofString());

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -55,9 +56,17 @@ class CommandWriterTest {
         """
             .formatted(first.host(), first.port(), second.host(), second.port());
     lease.renew(Moment.now());
-    writer =
-        new CommandWriter(
-            PlantText.read("plant.toml", text), new Writes(new AuditLog(folder)), lease, MAX_AGE);
+    writer = writer(text, lease);
+  }
+
+  private Path file() {
+    return folder.resolve("plant.toml");
+  }
+
+  private CommandWriter writer(String text, Lease own) throws Exception {
+    Files.writeString(file(), text);
+    return new CommandWriter(
+        new TaskPlant(file().toString(), text), new Writes(new AuditLog(folder)), own, MAX_AGE);
   }
 
   @AfterEach
@@ -68,8 +77,7 @@ class CommandWriterTest {
   private CommandWriter writer(String robot, int port, Lease own) throws Exception {
     String text =
         "[robots.%s]\nhost = \"127.0.0.1\"\nport = %d\ntimeout = \"3s\"\n".formatted(robot, port);
-    return new CommandWriter(
-        PlantText.read("plant.toml", text), new Writes(new AuditLog(folder)), own, MAX_AGE);
+    return writer(text, own);
   }
 
   private SinkRecord record(String robot, long value, Duration age) {
@@ -159,6 +167,23 @@ class CommandWriterTest {
     lease.end();
     assertThat(writer.write(List.of(record("r1", 40)))).isEmpty();
     assertThat(first.requests()).isEmpty();
+  }
+
+  @Test
+  void whileTheFileDiffersNothingIsSentAndNothingIsDone() throws Exception {
+    String text = Files.readString(file());
+    SinkRecord command = record("r1", 40);
+    for (String other : List.of(text.replace("write = true", "write = false"), text + "[half")) {
+      Files.writeString(file(), other);
+      assertThat(writer.isCurrent()).isFalse();
+      assertThat(writer.write(List.of(command))).isEmpty();
+    }
+    Files.delete(file());
+    assertThat(writer.write(List.of(command))).isEmpty();
+    assertThat(first.requests()).isEmpty();
+    Files.writeString(file(), text);
+    assertThat(writer.isCurrent()).isTrue();
+    assertThat(writer.write(List.of(command))).containsEntry(command, Optional.empty());
   }
 
   @Test

@@ -6,13 +6,13 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BiPredicate;
@@ -39,7 +39,7 @@ public final class Catalogue {
   private final Map<String, CatalogueEntry> variables = new TreeMap<>();
   private final Map<String, List<CatalogueEntry>> structures = new TreeMap<>();
   private final Map<String, List<String>> enumerations = new TreeMap<>();
-  private final Map<String, Set<String>> signals = new TreeMap<>();
+  private final Map<Wires, SortedSet<String>> signals = new TreeMap<>();
 
   private Catalogue() {}
 
@@ -192,21 +192,43 @@ public final class Catalogue {
   }
 
   private void addSignal(Declaration.Signal signal) {
-    String first = element(signal.first());
-    if (!first.isEmpty()) {
-      String last = element(signal.last());
+    Wire first = Wire.of(signal.first());
+    Wire last = signal.last() == null ? first : Wire.of(signal.last());
+    if (first != null
+        && last != null
+        && first.array.equals(last.array)
+        && first.number <= last.number) {
       signals
-          .computeIfAbsent(last.isEmpty() ? first : first + " TO " + last, it -> new TreeSet<>())
+          .computeIfAbsent(new Wires(first.array, first.number, last.number), it -> new TreeSet<>())
           .add(signal.name());
     }
   }
 
-  /**
-   * Returns the name of an element, such as {@code $OUT[1]}; empty if it is not an element with a
-   * number.
-   */
-  private static String element(Expression.@Nullable Variable variable) {
-    return variable == null ? "" : key(ExpressionText.of(variable));
+  /** An input or output. */
+  private record Wire(String array, int number) {
+    /** Returns the wire that a variable names; null if it is not an element with a number. */
+    static @Nullable Wire of(Expression.@Nullable Variable variable) {
+      if (variable == null || variable.steps().size() != 1) {
+        return null;
+      }
+      Expression.Step step = variable.steps().get(0);
+      return step.indices().size() == 1
+              && !step.open()
+              && step.indices().get(0) instanceof Expression.IntLiteral index
+          ? new Wire(key(step.name()), index.value())
+          : null;
+    }
+  }
+
+  /** What signals stand for, in the order of {@link #signals}. */
+  private record Wires(String array, int first, int last) implements Comparable<Wires> {
+    private static final Comparator<Wires> ORDER =
+        Comparator.comparing(Wires::array).thenComparing(Wires::first).thenComparing(Wires::last);
+
+    @Override
+    public int compareTo(Wires other) {
+      return ORDER.compare(this, other);
+    }
   }
 
   private void add(
@@ -324,12 +346,20 @@ public final class Catalogue {
   }
 
   /**
-   * Returns the names of inputs and outputs, by what they stand for: {@code $OUT[1]}, or {@code
-   * $OUT[1] TO $OUT[8]} for a number of several bits. The names of {@link #system} are empty, since
-   * each controller has its own.
+   * Returns the names of inputs and outputs, in the order of arrays and numbers. Signals that do
+   * not stand for elements of one array with literal numbers are left out, and so are those whose
+   * last number is below the first. Those of {@link #system} are empty, since each controller has
+   * its own.
    */
-  public Map<String, Set<String>> signals() {
-    return Collections.unmodifiableMap(signals);
+  public List<SignalWires> signals() {
+    return signals.entrySet().stream()
+        .map(
+            entry -> {
+              Wires wires = entry.getKey();
+              return new SignalWires(
+                  wires.array, wires.first, wires.last, List.copyOf(entry.getValue()));
+            })
+        .toList();
   }
 
   private static String key(String name) {

@@ -156,4 +156,23 @@ class ProgramsBrowserIT {
     assertThat(pages.controller().variables().get("$IN[2]")).isEqualTo("TRUE");
     assertThat(browser.errors()).isEmpty();
   }
+
+  @Test
+  void anOutputIsFoundByTheNameOfItsSignal(Browser browser) throws Exception {
+    pages = TestPages.startRemote(ServerType.C3_BRIDGE, folder, cfg -> {});
+    pages
+        .controller()
+        .controller()
+        .load("cell.dat", "DEFDAT CELL PUBLIC\nSIGNAL PART $OUT[49] TO $OUT[56]\nENDDAT\n");
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=io#/io"));
+
+    browser.click(".find input");
+    browser.press("part bit 3");
+    browser.click(".find button");
+
+    browser.await("document.querySelector(`[aria-label='$OUT[52], PART bit 3']`)");
+    assertThat(browser.text(".find button")).isEqualTo("PART bit 3 $OUT[52]");
+    assertThat(browser.errors()).isEmpty();
+  }
 }

@@ -4,12 +4,11 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
 import java.util.function.Function;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Catalogue;
 import no.hials.crosscom.cell.CatalogueEntry;
+import no.hials.crosscom.cell.SignalWires;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.internal.robot.Changes;
@@ -56,10 +55,11 @@ public final class InputOutputCommands {
     for (String array : ARRAYS) {
       lengths.put(array, length(catalogue, array));
     }
-    ObjectNode signals = answer.putObject("signals");
-    for (Map.Entry<String, Set<String>> signal : catalogue.signals().entrySet()) {
-      ArrayNode list = signals.putArray(signal.getKey());
-      signal.getValue().forEach(list::add);
+    ArrayNode signals = answer.putArray("signals");
+    for (SignalWires wires : catalogue.signals()) {
+      ObjectNode signal = signals.addObject();
+      signal.put("array", wires.array()).put("first", wires.first()).put("last", wires.last());
+      wires.names().forEach(signal.putArray("names")::add);
     }
   }
 

@@ -10,11 +10,12 @@ import { header, isStale, mayWrite, note, state, useRobot, useSharedState, write
 const BANK = 16;
 const ANALOG_BANK = 8;
 const MAX_FOUND = 12;
+const MAX_BITS = 32;
 
 /** Names and lengths; requested again when the server has read the data lists. */
 function useSignals() {
   const { socket } = useSharedState();
-  const [answer, setAnswer] = useState({ signals: {}, lengths: {}, simulated: false });
+  const [answer, setAnswer] = useState({ signals: [], lengths: {}, simulated: false });
   useEffect(() => {
     let wanted = true;
     const ask = () =>
@@ -33,27 +34,27 @@ function useSignals() {
   return answer;
 }
 
-/** The names of each element: of signals, and of ranges of signals with their bit. */
-function namesOf(signals) {
-  const names = {};
-  const add = (element, name) => (names[element] = [...(names[element] ?? []), name]);
-  for (const [place, list] of Object.entries(signals)) {
-    const range = /^(\$\w+)\[(\d+)\] TO \1\[(\d+)\]$/.exec(place);
-    if (range) {
-      const [, array, first, last] = range;
-      for (let n = Number(first); n <= Math.min(Number(last), Number(first) + 31); n++) {
-        list.forEach((name) => add(`${array}[${n}]`, `${name} bit ${n - first}`));
-      }
-    } else {
-      list.forEach((name) => add(place, name));
+function element(array, number) {
+  return { array, number, name: `${array}[${number}]` };
+}
+
+/** The elements that signals name, by their own name; an element of a range with its bit. */
+function namedElements(signals) {
+  const named = new Map();
+  for (const { array, first, last, names } of signals) {
+    for (let n = first; n <= Math.min(last, first + MAX_BITS - 1); n++) {
+      const one = element(array, n);
+      const before = named.get(one.name)?.names ?? [];
+      const more = first === last ? names : names.map((name) => `${name} bit ${n - first}`);
+      named.set(one.name, { ...one, names: [...before, ...more] });
     }
   }
-  return names;
+  return named;
 }
 
 function elements(array, first, count, length) {
-  return Array.from({ length: Math.max(0, Math.min(count, length - first + 1)) }, (_, i) => first + i).map(
-    (number) => ({ number, name: `${array}[${number}]` }),
+  return Array.from({ length: Math.max(0, Math.min(count, length - first + 1)) }, (_, i) =>
+    element(array, first + i),
   );
 }
 
@@ -87,7 +88,7 @@ function BankChoice({ title, first, size, length, onChange }) {
 }
 
 /** The elements of an array that are shown, and their head with the choice of the bank. */
-function useBank({ title, array, length, names, period, size, jump }) {
+function useBank({ title, array, length, named, period, size, jump }) {
   const [first, setFirst] = useState(1);
   useEffect(() => {
     if (jump?.array === array) {
@@ -105,7 +106,7 @@ function useBank({ title, array, length, names, period, size, jump }) {
       !isStale(header()) &&
       h('span', { class: 'hint' }, 'Not up to date: the server needs long to read them.'),
   );
-  const rows = shown.map((one) => ({ ...one, names: names[one.name] ?? [], reading: values[one.name] }));
+  const rows = shown.map((one) => ({ ...one, names: named.get(one.name)?.names ?? [], reading: values[one.name] }));
   return { head, rows, kind: `panel ${stale ? 'stale' : ''}` };
 }
 
@@ -185,18 +186,17 @@ function Analog({ onSet, ...bank }) {
   );
 }
 
-function Find({ names, onJump }) {
+function Find({ named, onJump }) {
   const [text, setText] = useState('');
   const wanted = text.trim().toUpperCase();
   const found = wanted
-    ? Object.entries(names)
-        .filter(([place, list]) => /^\$(IN|OUT)\[/.test(place) && `${place} ${list}`.toUpperCase().includes(wanted))
+    ? [...named.values()]
+        .filter(
+          ({ array, name, names }) =>
+            (array === '$IN' || array === '$OUT') && `${name} ${names}`.toUpperCase().includes(wanted),
+        )
         .slice(0, MAX_FOUND)
     : [];
-  const jump = (place) => {
-    const [, array, number] = /^(\$\w+)\[(\d+)\]$/.exec(place);
-    onJump({ array, number: Number(number) });
-  };
   return h(
     'section',
     { class: 'panel find', 'aria-label': 'Find by name' },
@@ -207,8 +207,8 @@ function Find({ names, onJump }) {
       value: text,
       onInput: (event) => setText(event.target.value),
     }),
-    found.map(([place, list]) =>
-      h('button', { key: place, onClick: () => jump(place) }, `${list.join(', ')} ${place}`),
+    found.map(({ array, number, name, names }) =>
+      h('button', { key: name, onClick: () => onJump({ array, number }) }, `${names.join(', ')} ${name}`),
     ),
     wanted && found.length === 0 && h('span', { class: 'hint' }, 'No SIGNAL of this name is known.'),
   );
@@ -240,7 +240,7 @@ export function View() {
   const [asked, setAsked] = useState(null);
   const [asks, setAsks] = useState(true);
   const [jump, setJump] = useState(null);
-  const names = namesOf(signals);
+  const named = namedElements(signals);
   const unlocked = mayWrite();
   useEffect(() => {
     if (!unlocked) {
@@ -259,7 +259,7 @@ export function View() {
   };
   const change = async (name, value, warning, work) => {
     if (asks) {
-      const label = [name, ...(names[name] ?? [])].join(', ');
+      const label = [name, ...(named.get(name)?.names ?? [])].join(', ');
       setAsked({ title: `Switch ${name} ${value ? 'on' : 'off'}?`, action: value ? 'Switch on' : 'Switch off', facts: [['Signal', label]], warning, work });
       return;
     }
@@ -295,14 +295,14 @@ export function View() {
     'div',
     { class: 'io' },
     h('h1', { class: 'unseen' }, 'Inputs and outputs'),
-    h(Find, { names, onJump: setJump }),
+    h(Find, { named, onJump: setJump }),
     h(
       Digital,
       {
         title: 'Inputs',
         array: '$IN',
         length: lengths.$IN ?? 0,
-        names,
+        named,
         period,
         jump,
         onSwitch: simulated ? switchInput : undefined,
@@ -317,7 +317,7 @@ export function View() {
     ),
     h(
       Digital,
-      { title: 'Outputs', array: '$OUT', length: lengths.$OUT ?? 0, names, period, jump, onSwitch: switchOutput },
+      { title: 'Outputs', array: '$OUT', length: lengths.$OUT ?? 0, named, period, jump, onSwitch: switchOutput },
       h(
         'label',
         { class: 'switch' },
@@ -339,11 +339,11 @@ export function View() {
       title: 'Analog inputs',
       array: '$ANIN',
       length: lengths.$ANIN ?? 0,
-      names,
+      named,
       period,
       onSet: simulated ? setAnalog(false) : undefined,
     }),
-    h(Analog, { title: 'Analog outputs', array: '$ANOUT', length: lengths.$ANOUT ?? 0, names, period, onSet: setAnalog(true) }),
+    h(Analog, { title: 'Analog outputs', array: '$ANOUT', length: lengths.$ANOUT ?? 0, named, period, onSet: setAnalog(true) }),
     asked && h(Confirm, { asked, onClose: () => setAsked(null) }),
   );
 }

@@ -220,7 +220,7 @@ public final class Catalogue {
     }
   }
 
-  /** What signals stand for, in the order of {@link #signals}. */
+  /** Elements of an array, sorted by array and number. */
   private record Wires(String array, int first, int last) implements Comparable<Wires> {
     private static final Comparator<Wires> ORDER =
         Comparator.comparing(Wires::array).thenComparing(Wires::first).thenComparing(Wires::last);

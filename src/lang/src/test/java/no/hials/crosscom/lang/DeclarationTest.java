@@ -59,7 +59,7 @@ class DeclarationTest {
         "EXTFCT CHAR[] F()        | External(F, )",
         "IMPORT INT N IS /R1/ACTUATOR..COUNT | External(N, /R1/ACTUATOR..COUNT)",
         "IMPORT REAL N[] IS /R1/STEU/$MACHINE..N | External(N, /R1/STEU/$MACHINE..N)",
-        "IMPORT REAL N[] IS //R1/POINTS..N[] | External(N, /R1/POINTS..N)",
+        "IMPORT REAL N[] IS //R1/POINTS..N[] | External(N, //R1/POINTS..N)",
       })
   void readsDeclarationsInRoutinesAndDataLists(String line, String tree) {
     assertThat(show(onlyRoutine(routine(line)).declarations())).isEqualTo("[" + tree + "]");

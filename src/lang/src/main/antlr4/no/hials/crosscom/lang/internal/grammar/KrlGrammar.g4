@@ -110,9 +110,10 @@ external : EXT name parameters ;
 
 externalFunction : EXTFCT name brackets? name parameters ;
 
-imported : IMPORT name name brackets? IS '/'? importPath brackets? ;
+imported : IMPORT name name brackets? IS importPath brackets? ;
 
-importPath : ('/' name)+ '..' name ;
+// decided by one token each, as the rest: the parser reports errors from that token
+importPath : '/' '/'? name ('/' name)* '..' name ;
 
 // ---- statements
 

@@ -44,7 +44,7 @@ class BuiltinsTest {
         "B = STRCLEAR(I) | 1446 line 2: I: needs a CHAR array",
         "I = STRFIND(TRUE,TEXT[],TEXT[]) | 1446 line 2: needs INT, was given TRUE",
         "BAS(1,0) | 1446 line 2: needs a command of BAS, was given 1",
-        "BAS(#GROUP) | 9010 line 2: BAS(#GROUP) is not supported",
+        "BAS(#NOSUCH) | 9010 line 2: BAS(#NOSUCH) is not supported",
         "BAS(#TOOL,17) | 1446 line 2: BAS: TOOL_DATA[17]: no variable TOOL_DATA",
         "BAS(#VEL_CP,1) | 1446 line 2: BAS: $VEL.CP: no variable $VEL",
       })

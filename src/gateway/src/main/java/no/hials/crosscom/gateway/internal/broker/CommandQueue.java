@@ -4,17 +4,13 @@ import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.internal.writing.RobotThreads;
 import no.hials.crosscom.protocol.value.KrlString;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
@@ -25,16 +21,9 @@ import org.slf4j.LoggerFactory;
  */
 public final class CommandQueue implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(CommandQueue.class);
-  private static final int WAITING = 16;
   private static final int LONGEST_VALUE = 4096;
-  private static final int IDLE_SECONDS = 10;
 
-  /** A command that waited longer, for example for a robot that did not answer, is out of date. */
-  private static final Duration LONGEST_WAIT = Duration.ofSeconds(5);
-
-  private static final String TOO_LATE =
-      "not executed: it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
-
+  private static final String TOO_LATE = "not executed: " + RobotThreads.TOO_LATE;
   private static final String ENDS = "not executed: the gateway ends";
 
   /** The time for the answers to commands when the gateway ends. */
@@ -43,7 +32,7 @@ public final class CommandQueue implements AutoCloseable {
   private final GatewayContext context;
   private final LongSupplier nanoTime;
   private final Counter counter;
-  private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
+  private final RobotThreads threads = new RobotThreads("mqtt-commands-");
   private volatile boolean closed;
 
   /** Creates a queue that writes with the permissions of the gateway. */
@@ -90,32 +79,19 @@ public final class CommandQueue implements AutoCloseable {
               who, robot, variable, "the value has more than " + LONGEST_VALUE + " characters"));
       return;
     }
-    long latest = nanoTime.getAsLong() + LONGEST_WAIT.toNanos();
+    long latest = nanoTime.getAsLong() + RobotThreads.LONGEST_WAIT.toNanos();
     try {
       threads
-          .computeIfAbsent(robot, CommandQueue::newThread)
+          .of(robot)
           .execute(() -> result.accept(executeNow(who, feed, variable, value, latest)));
     } catch (RejectedExecutionException e) {
       result.accept(
-          refused(who, robot, variable, "not executed: " + WAITING + " commands are waiting"));
+          refused(
+              who,
+              robot,
+              variable,
+              "not executed: " + RobotThreads.MAX_WAITING + " commands are waiting"));
     }
-  }
-
-  private static ThreadPoolExecutor newThread(String robot) {
-    ThreadPoolExecutor executor =
-        new ThreadPoolExecutor(
-            1,
-            1,
-            IDLE_SECONDS,
-            TimeUnit.SECONDS,
-            new ArrayBlockingQueue<>(WAITING),
-            task -> {
-              Thread thread = new Thread(task, "mqtt-commands-" + robot);
-              thread.setDaemon(true);
-              return thread;
-            });
-    executor.allowCoreThreadTimeOut(true);
-    return executor;
   }
 
   private String executeNow(
@@ -153,14 +129,6 @@ public final class CommandQueue implements AutoCloseable {
   @Override
   public void close() {
     closed = true;
-    threads.values().forEach(ThreadPoolExecutor::shutdown);
-    long end = System.nanoTime() + LONGEST_END.toNanos();
-    try {
-      for (ThreadPoolExecutor executor : threads.values()) {
-        boolean unused = executor.awaitTermination(end - System.nanoTime(), TimeUnit.NANOSECONDS);
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    threads.end(LONGEST_END);
   }
 }

@@ -4,14 +4,9 @@ import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.CrossComConnectException;
@@ -20,6 +15,7 @@ import no.hials.crosscom.CrossComTimeoutException;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.internal.writing.RobotThreads;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.jspecify.annotations.Nullable;
@@ -33,21 +29,12 @@ import org.slf4j.LoggerFactory;
 final class RobotWrites {
   private static final Logger LOG = LoggerFactory.getLogger(RobotWrites.class);
 
-  /** The maximum number of writes that wait for a slow robot; further writes are refused. */
-  private static final int MAX_WAITING = 16;
-
-  private static final long IDLE_SECONDS = 10;
-
-  /** A write that waited longer is out of date: its client has given up by then. */
-  private static final Duration LONGEST_WAIT = Duration.ofSeconds(5);
-
-  private static final String TOO_LATE =
-      "not written: it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
+  private static final String TOO_LATE = "not written: " + RobotThreads.TOO_LATE;
 
   private final GatewayContext context;
   private final LongSupplier nanoTime;
   private final Counter results;
-  private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
+  private final RobotThreads threads = new RobotThreads("opcua-write-");
   private volatile boolean closed;
 
   /**
@@ -76,7 +63,9 @@ final class RobotWrites {
   /** Returns a request that was received now. */
   Request request(User user, BooleanSupplier isWanted) {
     return new Request(
-        "opcua:" + user.name(), nanoTime.getAsLong() + LONGEST_WAIT.toNanos(), isWanted);
+        "opcua:" + user.name(),
+        nanoTime.getAsLong() + RobotThreads.LONGEST_WAIT.toNanos(),
+        isWanted);
   }
 
   /** Writes a value, waits for the result, and returns its status. */
@@ -102,9 +91,7 @@ final class RobotWrites {
   long write(Request request, String robot, String variable, String text) {
     try {
       Future<Long> result =
-          threads
-              .computeIfAbsent(robot, RobotWrites::thread)
-              .submit(() -> writeNow(request, robot, variable, text));
+          threads.of(robot).submit(() -> writeNow(request, robot, variable, text));
       return result.get();
     } catch (RejectedExecutionException e) {
       return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_TooManyOperations;
@@ -115,23 +102,6 @@ final class RobotWrites {
       LOG.warn("OPC UA: {} of {}", variable, robot, e.getCause());
       return StatusCodes.Bad_InternalError;
     }
-  }
-
-  private static ThreadPoolExecutor thread(String robot) {
-    ThreadPoolExecutor executor =
-        new ThreadPoolExecutor(
-            1,
-            1,
-            IDLE_SECONDS,
-            TimeUnit.SECONDS,
-            new ArrayBlockingQueue<>(MAX_WAITING),
-            task -> {
-              Thread thread = new Thread(task, "opcua-write-" + robot);
-              thread.setDaemon(true);
-              return thread;
-            });
-    executor.allowCoreThreadTimeOut(true);
-    return executor;
   }
 
   private long writeNow(Request request, String robotName, String variable, String text) {
@@ -197,15 +167,12 @@ final class RobotWrites {
 
   /** Ends the thread of a removed robot, after the write in progress. */
   void removed(String robot) {
-    ThreadPoolExecutor executor = threads.remove(robot);
-    if (executor != null) {
-      executor.shutdown();
-    }
+    threads.end(robot);
   }
 
   /** Refuses all writes from now on. */
   void close() {
     closed = true;
-    threads.keySet().forEach(this::removed);
+    threads.end(Duration.ZERO);
   }
 }

@@ -1,0 +1,86 @@
+package no.hials.crosscom.gateway.internal.writing;
+
+import java.time.Duration;
+import java.util.Map;
+import java.util.concurrent.ArrayBlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * A thread for each robot that is written to, with a queue, so that a slow robot delays no other
+ * one. A full queue throws {@link java.util.concurrent.RejectedExecutionException}. Thread-safe.
+ */
+public final class RobotThreads {
+  /** The maximum number of writes that wait for a robot. */
+  public static final int MAX_WAITING = 16;
+
+  /** A write that waited longer, for example for a robot that did not answer, is out of date. */
+  public static final Duration LONGEST_WAIT = Duration.ofSeconds(5);
+
+  /** The reason for the refusal of a write that waited longer. */
+  public static final String TOO_LATE =
+      "it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
+
+  private static final long IDLE_SECONDS = 10;
+
+  private final String prefix;
+  private final Map<String, ThreadPoolExecutor> threads = new ConcurrentHashMap<>();
+
+  /**
+   * Creates an object without threads.
+   *
+   * @param prefix the names of its threads, before that of the robot
+   */
+  public RobotThreads(String prefix) {
+    this.prefix = prefix;
+  }
+
+  /** Returns the thread of a robot, which ends when it has had nothing to do for some time. */
+  public ExecutorService of(String robot) {
+    return threads.computeIfAbsent(robot, this::create);
+  }
+
+  private ThreadPoolExecutor create(String robot) {
+    ThreadPoolExecutor executor =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            IDLE_SECONDS,
+            TimeUnit.SECONDS,
+            new ArrayBlockingQueue<>(MAX_WAITING),
+            task -> {
+              Thread thread = new Thread(task, prefix + robot);
+              thread.setDaemon(true);
+              return thread;
+            });
+    executor.allowCoreThreadTimeOut(true);
+    return executor;
+  }
+
+  /** Ends the thread of a robot after the tasks that it has. */
+  public void end(String robot) {
+    ThreadPoolExecutor executor = threads.remove(robot);
+    if (executor != null) {
+      executor.shutdown();
+    }
+  }
+
+  /**
+   * Ends all threads after the tasks that they have, and waits for them.
+   *
+   * @param longest the maximum time to wait
+   */
+  public void end(Duration longest) {
+    long end = System.nanoTime() + longest.toNanos();
+    threads.values().forEach(ThreadPoolExecutor::shutdown);
+    try {
+      for (ThreadPoolExecutor executor : threads.values()) {
+        boolean unused = executor.awaitTermination(end - System.nanoTime(), TimeUnit.NANOSECONDS);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

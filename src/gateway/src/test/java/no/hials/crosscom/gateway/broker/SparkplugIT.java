@@ -18,6 +18,7 @@ import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.Gateway;
 import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.Latches;
 import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.OutputKind;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
@@ -352,7 +353,7 @@ class SparkplugIT extends BrokerTest {
               name -> false);
       session.start(traffic);
       observer.await(NBIRTH, "");
-      session.submit(0, () -> awaitUninterruptibly(released));
+      session.submit(0, () -> Latches.await(released));
 
       Received request =
           new Received(
@@ -373,14 +374,6 @@ class SparkplugIT extends BrokerTest {
       assertThat(observer.on(NBIRTH)).hasSize(2);
     } finally {
       released.countDown();
-    }
-  }
-
-  private static void awaitUninterruptibly(CountDownLatch latch) {
-    try {
-      latch.await();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
     }
   }
 

@@ -10,15 +10,14 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
-import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PlantFile;
 import no.hials.crosscom.cell.feed.RobotFeed;
-import no.hials.crosscom.cell.feed.Writes;
-import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.Latches;
+import no.hials.crosscom.gateway.OneRobotContext;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
@@ -30,20 +29,6 @@ import org.junit.jupiter.api.io.TempDir;
 class CommandQueueTest {
   @KukaController private MockServer server;
   @TempDir private Path folder;
-
-  /** The parts of a gateway with one robot. */
-  private record Context(Plant plant, RobotFeed robot, Path folder, Health health)
-      implements GatewayContext {
-    @Override
-    public RobotFeed robot(String name) {
-      return robot;
-    }
-
-    @Override
-    public Writes writes() {
-      return new Writes(new AuditLog(folder));
-    }
-  }
 
   private Plant plant() throws Exception {
     String text =
@@ -68,7 +53,7 @@ class CommandQueueTest {
     try (RobotFeed feed =
             RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
         CommandQueue queue =
-            new CommandQueue(new Context(plant, feed, folder, new Health()), now::get)) {
+            new CommandQueue(new OneRobotContext(plant, feed, folder, new Health()), now::get)) {
       executeAndLetTheNextWait(queue, results, released);
 
       now.set(Duration.ofSeconds(5).toNanos() + 1);
@@ -93,7 +78,7 @@ class CommandQueueTest {
     BlockingQueue<String> results = new LinkedBlockingQueue<>();
     try (RobotFeed feed =
         RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {})) {
-      CommandQueue queue = new CommandQueue(new Context(plant, feed, folder, new Health()));
+      CommandQueue queue = new CommandQueue(new OneRobotContext(plant, feed, folder, new Health()));
       executeAndLetTheNextWait(queue, results, released);
 
       Thread closing = new Thread(queue::close);
@@ -123,17 +108,9 @@ class CommandQueueTest {
         "2",
         result -> {
           results.add(result);
-          awaitUninterruptibly(released);
+          Latches.await(released);
         });
     assertThat(results.take()).isEqualTo("done");
     queue.execute("test", "cell1", "MYINT", "3", results::add);
-  }
-
-  private static void awaitUninterruptibly(CountDownLatch latch) {
-    try {
-      latch.await();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
   }
 }

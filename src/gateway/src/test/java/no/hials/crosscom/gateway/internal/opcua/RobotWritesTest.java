@@ -10,15 +10,14 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
-import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PlantFile;
 import no.hials.crosscom.cell.feed.RobotFeed;
-import no.hials.crosscom.cell.feed.Writes;
-import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.Latches;
+import no.hials.crosscom.gateway.OneRobotContext;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -42,20 +41,6 @@ class RobotWritesTest {
   private RobotFeed feed;
   private RobotWrites writes;
 
-  /** The parts of a gateway with one robot. */
-  private record Context(Plant plant, RobotFeed robot, Path folder, Health health)
-      implements GatewayContext {
-    @Override
-    public RobotFeed robot(String name) {
-      return robot;
-    }
-
-    @Override
-    public Writes writes() {
-      return new Writes(new AuditLog(folder));
-    }
-  }
-
   @BeforeEach
   void open() throws Exception {
     String text =
@@ -70,7 +55,7 @@ class RobotWritesTest {
             .formatted(server.host(), server.port());
     Plant plant = PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of());
     feed = RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
-    writes = new RobotWrites(new Context(plant, feed, folder, new Health()), now::get);
+    writes = new RobotWrites(new OneRobotContext(plant, feed, folder, new Health()), now::get);
     server.variables().set("MYINT", "1");
   }
 
@@ -101,16 +86,8 @@ class RobotWritesTest {
         },
         Fault.hold(released));
     CompletableFuture<Long> slow = write(request(), "2");
-    awaitUninterruptibly(arrived);
+    Latches.await(arrived);
     return slow;
-  }
-
-  private static void awaitUninterruptibly(CountDownLatch latch) {
-    try {
-      latch.await();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
   }
 
   @Test

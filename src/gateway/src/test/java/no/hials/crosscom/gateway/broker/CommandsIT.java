@@ -208,6 +208,7 @@ class CommandsIT extends BrokerTest {
       observer.await("robots/gateway/status", "online");
       cable.cut();
       observer.await("robots/gateway/status", "offline");
+      await(() -> figure(reading, "mqtt_connected") == 0);
       observer.publish(SET, "20", false);
       cable.connect();
       await(() -> figure(reading, "mqtt_connected") == 1);

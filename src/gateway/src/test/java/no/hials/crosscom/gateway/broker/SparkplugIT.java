@@ -281,7 +281,7 @@ class SparkplugIT extends BrokerTest {
                     List.of(new MqttKind(), new SlowOutput(untilForwarding)));
             await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
 
-            long alias = metricOf(last(observer, DBIRTH), "COUNTER").getAlias();
+            long alias = metricOf(observer.await(DBIRTH, ""), "COUNTER").getAlias();
             for (int value : List.of(1, 2, 3)) {
               Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(value));
               assertThat(has(data, alias, it -> Boolean.TRUE.equals(it.isHistorical()))).isTrue();

@@ -82,7 +82,6 @@ public final class ModelCommands {
     private final AtomicLong begun = new AtomicLong();
 
     // guarded by this
-    private long number;
     private @Nullable RobotGeometry last;
     private @Nullable IOException failure;
 
@@ -93,8 +92,8 @@ public final class ModelCommands {
     RobotGeometry read() throws IOException {
       long before = begun.get();
       synchronized (this) {
-        if (number <= before) { // no reading has begun since the call
-          number = begun.incrementAndGet();
+        if (begun.get() == before) { // no reading has begun since the call
+          begun.incrementAndGet();
           last = null;
           failure = null;
           try {

@@ -11,7 +11,7 @@ public interface GatewayContext {
   /** Returns the plant as currently configured. */
   Plant plant();
 
-  /** Returns the robot of this name; null if there is none. */
+  /** Returns the robot of this name, or null. */
   @Nullable RobotFeed robot(String name);
 
   /**

@@ -34,7 +34,7 @@ public record OwnCertificate(ServerCertificate certificate, boolean isNew) {
   private static final String PASSWORD = "JOPENSHOWVAR_KEYTOOL";
 
   /**
-   * Returns the certificate in a folder. Creates another one if there is none, if it expires within
+   * Returns the certificate in a folder. Creates one if the folder has none, if it expires within
    * 30 days, or if it lacks a name of the page.
    *
    * @param folder the folder of its file {@code page.pem}, which only its owner may read

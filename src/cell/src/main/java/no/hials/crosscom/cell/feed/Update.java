@@ -5,12 +5,12 @@ import no.hials.crosscom.protocol.value.KrlValue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The value that was read from a variable, or the reason why there is none.
+ * The value that was read from a variable, or the reason why it could not be read.
  *
  * @param variable the variable
  * @param time when the value was read; without a value, when reading it failed
  * @param quality the reliability of the value
- * @param value the value; null if there is none
+ * @param value the value; null without one
  * @param reason why the quality is not good; empty if it is good
  */
 public record Update(

@@ -55,7 +55,7 @@ public final class Claims implements AutoCloseable {
     /** The end of the records whose outcome is unknown. */
     private long unknown;
 
-    /** Returns the first record that is not settled; the end if there is none. */
+    /** Returns the first record that is not settled, or the end. */
     long first(long end) {
       return held.isEmpty() ? end : held.getFirst().originalKafkaOffset();
     }

@@ -37,7 +37,7 @@ final class Inbox {
     return dropped;
   }
 
-  /** Removes and returns the oldest task; null if there is none. */
+  /** Removes and returns the oldest task, or null. */
   synchronized @Nullable Runnable poll() {
     Task task = tasks.poll();
     if (task == null) {

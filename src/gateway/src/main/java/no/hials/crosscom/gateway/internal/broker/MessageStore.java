@@ -276,7 +276,9 @@ final class MessageStore implements AutoCloseable {
     return messages;
   }
 
-  /** Returns the next message to forward; null if there is none until others are confirmed. */
+  /**
+   * Returns the next message to forward; null if it is empty, or others must be confirmed before.
+   */
   @Nullable StoredMessage next() {
     while (first == null && !isEmpty()) {
       load();

@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * A message from a broker.
  *
  * @param retained whether the broker marked it as retained, so that its age is unknown
- * @param sender the name that the client claims; empty if there is none
+ * @param sender the name that the client claims; empty without one
  * @param responseTopic the topic for the answer, with MQTT 5 only
  * @param correlation the data that the answer repeats, with MQTT 5 only
  */

@@ -40,7 +40,7 @@ final class Reading {
     return last;
   }
 
-  /** Returns the last value; null if there is none. */
+  /** Returns the last value, or null. */
   @Nullable KrlValue value() {
     Update update = last;
     return update == null ? null : update.value();

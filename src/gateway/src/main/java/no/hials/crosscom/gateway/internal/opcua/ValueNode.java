@@ -111,7 +111,7 @@ final class ValueNode extends UaVariableNode {
     access.describe(this);
   }
 
-  /** Returns the last value of the robot; null if there is none. */
+  /** Returns the last value of the robot, or null. */
   @Nullable KrlValue krlValue() {
     KrlValue whole = reading == null ? null : reading.value();
     return whole == null ? null : part.apply(whole);

@@ -142,7 +142,7 @@ final class Device {
     return name.equals(key) || name.startsWith(key + ".") || name.startsWith(key + "[");
   }
 
-  /** Returns the metric of an alias or, ignoring case, of a name; null if there is none. */
+  /** Returns the metric of an alias or, ignoring case, of a name, or null. */
   @Nullable DeviceMetric find(@Nullable Long alias, @Nullable String name) {
     for (DeviceMetric metric : metrics.values()) {
       if (alias == null ? metric.name().equalsIgnoreCase(name) : metric.alias() == alias) {

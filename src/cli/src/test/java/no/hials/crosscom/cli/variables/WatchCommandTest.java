@@ -60,7 +60,8 @@ class WatchCommandTest {
 
     assertThat(withoutTimes(watch("--changes", "--count", "3", "MYINT")))
         .containsExactly("MYINT = 1", "MYINT = 2", "MYINT = 1");
-    assertThat(server.requestCount()).isEqualTo(7);
+    // the next reading may be on its way before the third line ends the command
+    assertThat(server.requestCount()).isGreaterThanOrEqualTo(7);
   }
 
   @Test

@@ -3,7 +3,9 @@ package no.hials.crosscom;
 import java.util.Objects;
 import java.util.stream.Collectors;
 import no.hials.crosscom.internal.Versions;
+import no.hials.crosscom.internal.exchange.ExchangeAnswer;
 import no.hials.crosscom.internal.exchange.Repeatability;
+import no.hials.crosscom.internal.exchange.Threads;
 import no.hials.crosscom.protocol.AnswerFrame;
 import no.hials.crosscom.protocol.Codec;
 import no.hials.crosscom.protocol.MessageType;
@@ -149,11 +151,16 @@ final class ServerDetector {
 
   private void ask(boolean withVersion) throws CrossComException {
     for (Question next = question(withVersion); next != null; next = question(withVersion)) {
-      byte[] frame = next.frame;
-      answered(
-          next,
-          link.send(frame, frame.length, next.message, Repeatability.READ, next.phrase).frame());
+      answered(next, ask(next).frame());
     }
+  }
+
+  /** Sends a question on the current connection. */
+  private ExchangeAnswer ask(Question question) throws CrossComException {
+    byte[] frame = question.frame;
+    return Threads.outsideCall(
+        () ->
+            link.send(frame, frame.length, question.message, Repeatability.READ, question.phrase));
   }
 
   ServerType type() throws CrossComException {
@@ -172,13 +179,7 @@ final class ServerDetector {
     }
     if (features == null) {
       TypedResponse response =
-          link.send(
-                  Question.FEATURES.frame,
-                  MessageType.FEATURES,
-                  Repeatability.READ,
-                  Question.FEATURES.phrase,
-                  FeaturesResponse.class)
-              .response();
+          link.message(ask(Question.FEATURES), FeaturesResponse.class).response();
       if (!(response instanceof FeaturesResponse known) || !response.tail().success()) {
         throw new CrossComRefusedException(Question.FEATURES.phrase, response.tail().code());
       }

@@ -20,7 +20,11 @@ import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
 import no.hials.crosscom.KRL.structs.KRLFrame;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
+import no.hials.crosscom.protocol.MessageType;
+import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.protocol.code.Interpreter;
 import org.junit.jupiter.api.Test;
 
 /** Does what the other methods do, in another thread. */
@@ -182,6 +186,30 @@ class AsyncTest extends RobotTest {
 
         assertThat(write.cancel(false)).as("nothing was sent").isTrue();
       }
+    }
+  }
+
+  @Test
+  void aCallCanBeCancelledWhileTheClientAsksWhichServerItIs() throws Exception {
+    try (MockServer bridge = MockServer.start(cfg -> cfg.server(ServerType.C3_BRIDGE));
+        CrossComClient its =
+            new CrossComClient(
+                ClientConfig.create(bridge.host(), cfg -> cfg.port(bridge.port())))) {
+      bridge.faults(
+          request -> {
+            asked.countDown();
+            return Optional.of(Fault.hold(release));
+          });
+      CompletableFuture<Void> start = its.asyncRun(c -> c.programs().start(Interpreter.ROBOT));
+      asked.await();
+
+      assertThat(start.cancel(false)).isTrue();
+      release.countDown();
+
+      assertThat(its.async(c -> c.readText("$OV_PRO")).get()).as("after it").isEqualTo("100");
+      assertThat(bridge.requests())
+          .extracting(it -> it.request().type())
+          .doesNotContain(MessageType.PROGRAM_CONTROL);
     }
   }
 

@@ -77,6 +77,34 @@ public final class Threads {
   }
 
   /**
+   * Does an exchange of the client's own, which is not part of the call that this thread runs: the
+   * call can still be cancelled after it.
+   */
+  public static <T, E extends Exception> T outsideCall(Exchange<T, E> exchange) throws E {
+    Running running = RUNNING.get();
+    if (running == null) {
+      return exchange.run();
+    }
+    RUNNING.remove();
+    try {
+      return exchange.run();
+    } finally {
+      RUNNING.set(running);
+    }
+  }
+
+  /**
+   * An exchange with the server.
+   *
+   * @param <T> the answer
+   * @param <E> the failure
+   */
+  @FunctionalInterface
+  public interface Exchange<T, E extends Exception> {
+    T run() throws E;
+  }
+
+  /**
    * Queues an operation, which its first exchange commits. If another one queues it, it is part of
    * that and runs at once: in the queue it would wait for the other to end.
    */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
+import java.util.function.BooleanSupplier;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.KRL.KRLEnum;
 import no.hials.crosscom.KRL.KRLInt;
@@ -33,9 +34,18 @@ final class Channel {
   final KRLEnum mode = new KRLEnum(MODE);
   final KRLEnum program = new KRLEnum(PROGRAM);
   private final CrossComClient client;
+  private final BooleanSupplier writeIf;
 
   Channel(CrossComClient client) {
+    this(client, () -> true);
+  }
+
+  /**
+   * @param writeIf whether the next write is allowed, unless it ends the loop
+   */
+  Channel(CrossComClient client, BooleanSupplier writeIf) {
     this.client = client;
+    this.writeIf = writeIf;
   }
 
   void read(KRLVariable variable) throws ControlRefusedException {
@@ -73,6 +83,18 @@ final class Channel {
   }
 
   void write(KRLVariable variable) throws ControlRefusedException {
+    checkWrite();
+    writeLast(variable);
+  }
+
+  private void checkWrite() throws ControlRefusedException {
+    if (!writeIf.getAsBoolean()) {
+      throw new ControlRefusedException(StopKind.ASKED, "the loop was not allowed to write");
+    }
+  }
+
+  /** Writes a variable at the end of a loop, which is always allowed. */
+  void writeLast(KRLVariable variable) throws ControlRefusedException {
     try {
       client.writeVariable(variable);
     } catch (IOException e) {
@@ -85,6 +107,7 @@ final class Channel {
     if (other == null) {
       write(variable);
     } else {
+      checkWrite();
       require(client.writeVariables(List.of(variable, other)));
     }
   }

@@ -83,7 +83,7 @@ public final class ControlLoop implements AutoCloseable {
     Objects.requireNonNull(client, "client");
     Objects.requireNonNull(config, "config");
     Objects.requireNonNull(law, "law");
-    Channel channel = new Channel(client);
+    Channel channel = new Channel(client, config.writeIf());
     return start(config, channel, Space.of(law, config, channel), time);
   }
 

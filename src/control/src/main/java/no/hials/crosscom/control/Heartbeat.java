@@ -241,7 +241,9 @@ final class Heartbeat {
   /** Restores the previous setting of the watchdog after the robot stands. */
   void end() throws ControlRefusedException {
     if (isOn()) {
-      channel.writeInt(LIMIT, limitBefore);
+      KRLInt before = new KRLInt(LIMIT);
+      before.setValue(limitBefore);
+      channel.writeLast(before);
     }
   }
 }

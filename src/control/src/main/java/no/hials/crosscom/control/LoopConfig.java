@@ -1,6 +1,7 @@
 package no.hials.crosscom.control;
 
 import java.time.Duration;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import no.hials.crosscom.control.input.InputDevice;
 import org.jspecify.annotations.Nullable;
@@ -86,6 +87,11 @@ public final class LoopConfig {
     return options.takeover;
   }
 
+  /** Returns the condition of each write. */
+  public BooleanSupplier writeIf() {
+    return options.writeIf;
+  }
+
   /** Returns the time after which the loop ends; zero for never. */
   public Duration duration() {
     return options.duration;
@@ -106,6 +112,7 @@ public final class LoopConfig {
     private @Nullable InputDevice input;
     private boolean inputKnown;
     private boolean takeover;
+    private BooleanSupplier writeIf = () -> true;
     private Duration duration = Duration.ZERO;
     private int traceLength = 10_000;
   }
@@ -194,6 +201,19 @@ public final class LoopConfig {
      */
     public Builder takeover() {
       options.takeover = true;
+      return this;
+    }
+
+    /**
+     * Sets a condition that is checked before each write, also of the start. If it is false, the
+     * loop does not start, or it ends as if it was asked to stop: it only writes the command to
+     * stand. The default is always true.
+     *
+     * @param condition called by the thread that starts the loop and by that of the loop; must not
+     *     block
+     */
+    public Builder writeIf(BooleanSupplier condition) {
+      options.writeIf = condition;
       return this;
     }
 

@@ -359,7 +359,7 @@ final class Runner<P> {
       channel.read(space.feedback);
       space.setTarget(space.numbers(space.actual()));
     }
-    channel.write(space.target());
+    channel.writeLast(space.target());
     if (reason.isPlanned()) {
       heartbeat.end();
     }

@@ -8,6 +8,8 @@ import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.input.Input;
@@ -138,6 +140,45 @@ class StoppingTest extends ControlTest {
     assertThatIllegalArgumentException()
         .isThrownBy(() -> LoopConfig.create(cfg -> {}))
         .withMessageContaining("noInput()");
+  }
+
+  @Test
+  void aLoopThatMayNotWriteIsRefusedBeforeAnythingIsWritten() throws Exception {
+    run("ext_move_axis.src");
+
+    assertThatExceptionOfType(ControlRefusedException.class)
+        .isThrownBy(
+            () -> start(config(cfg -> cfg.writeIf(() -> false)), Law.jointVelocity(s -> TURNING)))
+        .withMessage("the loop was not allowed to write")
+        .satisfies(e -> assertThat(e.reason().kind()).isEqualTo(StopKind.ASKED));
+
+    assertThat(server.requests()).noneMatch(r -> r.request() instanceof WriteRequest);
+  }
+
+  @Test
+  void aLoopThatMayNoLongerWriteOnlyTellsTheRobotToStand() throws Exception {
+    run("ext_move_axis.src");
+    AtomicBoolean allowed = new AtomicBoolean(true);
+    AtomicInteger before = new AtomicInteger();
+    LoopConfig config = config(cfg -> cfg.writeIf(allowed::get));
+
+    StopReason reason =
+        runLoop(
+            config,
+            afterOneSecond(
+                () -> {
+                  before.set(writesTo("MYAXIS").size());
+                  allowed.set(false);
+                }));
+
+    assertReason(reason, StopKind.ASKED, "the loop was not allowed to write");
+    List<String> writes = writesTo("MYAXIS");
+    assertThat(writes.subList(before.get(), writes.size()))
+        .singleElement()
+        .asString()
+        .startsWith("{A1 0.0");
+    assertThat(server.variables().get("JOV_LIMIT")).isEqualTo("0");
+    assertStandsForGood();
   }
 
   // the controller

@@ -289,6 +289,8 @@ class SocketTest {
       value = {
         "'clock':-10000 | not done: it waited too long, in the network or behind other commands",
         "'clock':'now' | clock must be that of an answer",
+        "'clock':4611686018427387904 | clock must be that of an answer",
+        "'clock':99999999999999999999 | clock must be that of an answer",
         "'name':'MYINT' | clock must be that of an answer"
       })
   void aChangeThatIsNotNewIsNotMade(String clock, String reason) throws Exception {

@@ -36,10 +36,11 @@ public record Call(Viewer viewer, JsonNode message) {
    */
   public void checkAge() throws CommandException {
     JsonNode clock = message.path("clock");
-    if (!clock.isIntegralNumber()) {
+    long now = now();
+    if (!clock.isIntegralNumber() || !clock.canConvertToLong() || clock.longValue() > now) {
       throw new CommandException("clock must be that of an answer");
     }
-    if (now() - clock.longValue() > MAX_AGE) {
+    if (clock.longValue() < now - MAX_AGE) {
       throw new CommandException(
           "not done: it waited too long, in the network or behind other commands");
     }

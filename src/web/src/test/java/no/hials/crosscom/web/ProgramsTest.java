@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
@@ -264,6 +265,84 @@ class ProgramsTest {
                 + " meanwhile; look at the robot, and try again");
     assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
     assertThat(change("program-order", "order", "'start'")).isEmpty();
+  }
+
+  @Test
+  void aStartThatWaitsForTheRobotIsNotSentOnceTheRobotIsLocked() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    load("work.src", PROGRAM);
+    pages.controller().controller().robot().select("WORK");
+    CountDownLatch released = new CountDownLatch(1);
+    try (TestSocket other = pages.open(Role.OPERATE)) {
+      sendStartThatWaits(other, released);
+
+      assertThat(socket.call("lock", "robot", "'mock'", "locked", "true").has("ok")).isTrue();
+      assertThat(other.await(it -> it.path("id").asInt() == 901).path("error").asText())
+          .isEqualTo("did not start the program of the robot interpreter: the robot is locked");
+    }
+    released.countDown();
+
+    assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
+    assertThat(stops()).as("all orders").isZero();
+  }
+
+  @Test
+  void aStartThatWaitsForTheRobotIsNotSentOnceItsPageIsClosed() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    load("work.src", PROGRAM);
+    pages.controller().controller().robot().select("WORK");
+    CountDownLatch released = new CountDownLatch(1);
+    try (TestSocket other = pages.open(Role.OPERATE)) {
+      sendStartThatWaits(other, released);
+    }
+    awaitNoWaitingOrder();
+    released.countDown();
+
+    assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
+    assertThat(stops()).as("all orders").isZero();
+    assertThat(String.valueOf(lastAudit())).contains("start", "the page that sent it is gone");
+  }
+
+  /** Sends a start while the robot does not answer a read, and returns once it waits for that. */
+  private void sendStartThatWaits(TestSocket other, CountDownLatch released) throws Exception {
+    CountDownLatch asked = new CountDownLatch(1);
+    pages
+        .controller()
+        .fault(
+            it -> {
+              boolean held = it.names().contains("MYINT");
+              if (held) {
+                asked.countDown();
+              }
+              return held;
+            },
+            Fault.hold(released));
+    socket.send("{\"id\":900,\"do\":\"read\",\"robot\":\"mock\",\"name\":\"MYINT\"}");
+    asked.await();
+    other.send(
+        String.format(
+            "{\"id\":901,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"start\","
+                + "\"confirmed\":true,\"clock\":%d}",
+            other.clock()));
+    while (!isOrderWaiting()) {
+      Thread.onSpinWait();
+    }
+  }
+
+  private static void awaitNoWaitingOrder() {
+    while (isOrderWaiting()) {
+      Thread.onSpinWait();
+    }
+  }
+
+  private static boolean isOrderWaiting() {
+    return Thread.getAllStackTraces().entrySet().stream()
+        .filter(it -> it.getKey().getState() != Thread.State.RUNNABLE)
+        .flatMap(it -> Arrays.stream(it.getValue()))
+        .anyMatch(
+            it ->
+                it.getClassName().endsWith(".PageProgramCommands")
+                    && it.getMethodName().equals("order"));
   }
 
   @Test

@@ -78,7 +78,12 @@ public final class MessageCommands {
           if (simulated.isPresent() && !robot.isBridge()) {
             int unused = simulated.get().controller().confirmAll();
           } else {
-            robot.client().information().confirmAll();
+            robot
+                .lock()
+                .send(
+                    call,
+                    "confirm all messages",
+                    () -> robot.client().asyncRun(client -> client.information().confirmAll()));
           }
         });
   }

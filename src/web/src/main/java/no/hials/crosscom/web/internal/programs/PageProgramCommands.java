@@ -7,6 +7,8 @@ import java.util.Base64;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
+import no.hials.crosscom.CrossComAction;
+import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComRefusedException;
 import no.hials.crosscom.c3.ControllerFiles;
@@ -155,25 +157,25 @@ public final class PageProgramCommands {
         path,
         content.length + " bytes",
         () -> {
-          robot.lock().check(call, "upload " + path);
+          TransferConfig config =
+              TransferConfig.create(
+                  cfg -> cfg.overwrite(overwrite).verification(Verification.CONTENT));
           robot
-              .client()
-              .files()
-              .upload(
-                  content,
-                  path,
-                  TransferConfig.create(
-                      cfg -> cfg.overwrite(overwrite).verification(Verification.CONTENT)));
+              .lock()
+              .send(
+                  call,
+                  "upload " + path,
+                  () -> robot.client().files().uploadAsync(content, path, config));
         });
     answer.put("path", path).put("size", content.length);
   }
 
   // programs
 
-  /** Sends a command. */
+  /** Reads what a command needs, and returns the command. */
   @FunctionalInterface
   private interface Order {
-    void send(Programs programs) throws IOException;
+    CrossComAction prepare(CrossComClient client) throws IOException;
   }
 
   private void send(
@@ -186,9 +188,12 @@ public final class PageProgramCommands {
         name,
         "",
         () -> {
-          robot.lock().check(call, what + " " + name);
+          CrossComClient client = robot.client();
+          String phrase = what + " " + name;
+          robot.lock().check(call, phrase);
           try {
-            order.send(robot.client().programs());
+            CrossComAction command = order.prepare(client);
+            robot.lock().send(call, phrase, () -> client.asyncRun(command));
           } catch (CrossComRefusedException e) {
             throw new CommandException(e.getMessage() + "; likely cause: " + likelyCause);
           }
@@ -203,10 +208,9 @@ public final class PageProgramCommands {
         robot,
         "select",
         path,
-        programs -> {
-          String name = RemoteName.withoutEnding(krcName(robot.client().files(), path));
-          robot.lock().check(call, "select " + path); // it may have been locked meanwhile
-          programs.select(name);
+        client -> {
+          String name = RemoteName.withoutEnding(krcName(client.files(), path));
+          return it -> it.programs().select(name);
         },
         "the program has errors, or another one is active");
   }
@@ -246,13 +250,15 @@ public final class PageProgramCommands {
         robots.of(call),
         order,
         programOf(interpreter),
-        programs -> {
-          switch (order) {
-            case "start" -> programs.start(interpreter);
-            case "reset" -> programs.reset(interpreter);
-            default -> programs.cancel(interpreter);
-          }
-        },
+        client ->
+            it -> {
+              Programs programs = it.programs();
+              switch (order) {
+                case "start" -> programs.start(interpreter);
+                case "reset" -> programs.reset(interpreter);
+                default -> programs.cancel(interpreter);
+              }
+            },
         "no program is selected, the mode or the state of the program does not allow it, or a"
             + " message has to be confirmed");
   }

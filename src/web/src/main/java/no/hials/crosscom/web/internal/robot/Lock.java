@@ -2,6 +2,12 @@ package no.hials.crosscom.web.internal.robot;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.util.Set;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.function.Supplier;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.WritePermission;
 import no.hials.crosscom.web.internal.socket.Call;
@@ -19,6 +25,11 @@ public final class Lock {
   private final WritePermission permission;
   private volatile @Nullable String openedBy;
   private volatile long stoppedAt = Long.MIN_VALUE;
+
+  /** The changes that may still wait for the connection. */
+  private final Set<Waiting> waiting = ConcurrentHashMap.newKeySet();
+
+  private record Waiting(Call call, CompletableFuture<?> change) {}
 
   Lock(Robot robot, boolean readOnly) {
     this.robot = withoutFolder(robot);
@@ -57,18 +68,79 @@ public final class Lock {
    */
   public void check(Call call, String what) throws IOException {
     permission.checkAllowed(robot, what);
-    if (openedBy == null) {
-      throw new CommandException("did not " + what + ": the robot is locked");
-    }
-    if (call.isFromBefore(stoppedAt)) {
-      throw new CommandException(
-          "did not "
-              + what
-              + ": a program of the robot was stopped meanwhile; look at the robot, and try again");
+    String refusal = refusal(call);
+    if (!refusal.isEmpty()) {
+      throw new CommandException("did not " + what + ": " + refusal);
     }
     if (!call.flag("confirmed")) {
       throw new CommandException("did not " + what + ": not confirmed");
     }
+  }
+
+  /**
+   * Returns why a change that was allowed is not any more; empty if it still is. May be called by
+   * any thread, also for a change that goes on for a while.
+   */
+  public String refusal(Call call) {
+    if (openedBy == null) {
+      return "the robot is locked";
+    }
+    if (call.isFromBefore(stoppedAt)) {
+      return "a program of the robot was stopped meanwhile; look at the robot, and try again";
+    }
+    return call.viewer().isClosed() ? "the page that sent it is gone" : "";
+  }
+
+  /**
+   * Makes a change if it is allowed, and waits for its end. It is cancelled if the robot is locked,
+   * a program is stopped, or the page is gone before the client sends it.
+   *
+   * @param what the operation, as for {@link #check}
+   * @param start lets the client send one request or file in another thread; the future can be
+   *     cancelled until that is sent
+   * @return the result
+   * @throws IOException if it was not allowed, or failed
+   */
+  public <T extends @Nullable Object> T send(
+      Call call, String what, Supplier<CompletableFuture<T>> start) throws IOException {
+    check(call, what);
+    CompletableFuture<T> change = start.get();
+    Waiting own = new Waiting(call, change);
+    waiting.add(own);
+    cancelRefused(); // it may have been refused before it was in the map
+    try {
+      return change.get();
+    } catch (CancellationException e) {
+      check(call, what);
+      throw new CommandException("did not " + what + ": the robot was locked meanwhile");
+    } catch (ExecutionException e) {
+      Throwable cause = e.getCause();
+      if (cause instanceof IOException failure) {
+        throw failure;
+      }
+      if (cause instanceof RuntimeException failure) {
+        throw failure;
+      }
+      throw new IOException(cause);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new CommandException(
+          change.cancel(false)
+              ? "did not " + what + ": the page's server ends"
+              : "the page's server ends; it is not known whether it did " + what);
+    } finally {
+      waiting.remove(own);
+    }
+  }
+
+  /** Cancels the changes that are no longer allowed and that the client has not sent yet. */
+  void cancelRefused() {
+    waiting.forEach(
+        one -> {
+          if (!refusal(one.call).isEmpty()) {
+            boolean unused = one.change.cancel(false);
+          }
+        });
   }
 
   /**
@@ -85,6 +157,7 @@ public final class Lock {
   /** Refuses from now on the changes that pages have sent until now and that still wait. */
   public void refuseWaiting() {
     stoppedAt = Call.now();
+    cancelRefused();
   }
 
   /**
@@ -100,6 +173,7 @@ public final class Lock {
 
   void close() {
     openedBy = null;
+    cancelRefused();
   }
 
   /** Returns whether changes are allowed. */

@@ -154,6 +154,7 @@ public final class RobotSessions implements AutoCloseable {
         () -> {
           lists.remove(viewer);
           own.close();
+          sessions.values().forEach(robot -> robot.lock().cancelRefused());
         });
     sessions.values().forEach(robot -> robot.header().show(viewer));
   }

@@ -76,6 +76,11 @@ public final class Viewer implements Session.Listener.AutoDemanding {
     return browser.role();
   }
 
+  /** Returns whether the socket is closed. */
+  public boolean isClosed() {
+    return closed;
+  }
+
   /** Runs a task when the socket is closed; at once if it is closed already. */
   public void atClose(Runnable task) {
     atClose.add(task);

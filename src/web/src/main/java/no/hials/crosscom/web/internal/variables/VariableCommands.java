@@ -206,8 +206,15 @@ public final class VariableCommands {
             checkValue(robot, name, value);
             robot.lock().check(call, "write " + name);
             oldValue.accept(valueBefore(robot, name));
-            robot.lock().check(call, "write " + name); // it may have been locked meanwhile
-            WriteAnswer.check(name, value, robot.client().writeText(name, value));
+            WriteAnswer.check(
+                name,
+                value,
+                robot
+                    .lock()
+                    .send(
+                        call,
+                        "write " + name,
+                        () -> robot.client().async(client -> client.writeText(name, value))));
           } catch (CrossComException e) {
             if (e.isOutcomeUnknown() || e instanceof CrossComValueException) {
               throw e; // its message describes the outcome

@@ -9,8 +9,10 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Predicate;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
@@ -335,6 +337,39 @@ class JogTest {
     assertThat(error(held.beat())).isEqualTo("the robot was locked");
     assertThat(error(begin(socket, "base")))
         .isEqualTo("did not jog the robot: the robot is locked");
+  }
+
+  @Test
+  void joggingThatBeginsWritesNothingOnceTheRobotIsLocked() throws Exception {
+    start();
+    TestSocket observer = open(Role.OPERATE);
+    TestSocket socket = open(Role.JOG);
+    CountDownLatch asked = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    pages
+        .controller()
+        .fault(
+            it -> {
+              boolean held = it.names().contains("JOV_SEEN");
+              if (held) {
+                asked.countDown();
+              }
+              return held;
+            },
+            Fault.hold(released));
+    socket.send(
+        String.format(
+            "{\"id\":901,\"do\":\"jog-open\",\"robot\":\"mock\",\"space\":\"base\","
+                + "\"confirmed\":true,\"clock\":%d}",
+            socket.clock()));
+    asked.await();
+
+    observer.call("lock", "robot", "'mock'", "locked", "true");
+    released.countDown();
+
+    assertThat(error(socket.await(it -> it.path("id").asInt() == 901)))
+        .isEqualTo("did not jog: the robot was locked");
+    assertThat(pages.controller().requests()).noneMatch(RecordedRequest::isWrite);
   }
 
   @Test

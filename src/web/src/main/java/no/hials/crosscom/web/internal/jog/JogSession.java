@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
 import no.hials.crosscom.control.ControlLoop;
 import no.hials.crosscom.control.ControlRefusedException;
 import no.hials.crosscom.control.DriveSpace;
@@ -49,6 +50,7 @@ final class JogSession implements InputDevice {
   private final RobotSession robot;
   private final DriveSpace space;
   private final Jogs jogs;
+  private final Supplier<String> refusal;
   private final HoldToRun holds;
 
   /** The positions at the beginning of the holds. */
@@ -76,11 +78,17 @@ final class JogSession implements InputDevice {
     void ended(JogSession session, String name, String before, String reason);
   }
 
-  private JogSession(JogOwner.Person person, RobotSession robot, DriveSpace space, Jogs jogs) {
+  private JogSession(
+      JogOwner.Person person,
+      RobotSession robot,
+      DriveSpace space,
+      Jogs jogs,
+      Supplier<String> refusal) {
     this.person = person;
     this.robot = robot;
     this.space = space;
     this.jogs = jogs;
+    this.refusal = refusal;
     holds = new HoldToRun(System::nanoTime, this::ended);
     seen = System.nanoTime();
   }
@@ -88,14 +96,20 @@ final class JogSession implements InputDevice {
   /**
    * Checks the robot and starts the loop, which takes up to a second or two.
    *
+   * @param refusal returns why the page may not jog any more; empty if it may
    * @throws IOException if the robot is not ready; the message is a sentence for people
    */
   static JogSession open(
-      JogOwner.Person person, RobotSession robot, DriveSpace space, WebConfig options, Jogs jogs)
+      JogOwner.Person person,
+      RobotSession robot,
+      DriveSpace space,
+      WebConfig options,
+      Jogs jogs,
+      Supplier<String> refusal)
       throws IOException {
     OperatingMode mode = checkMode(robot, options.jogInAuto() || robot.simulation().isPresent());
     checkProgram(robot, space);
-    JogSession session = new JogSession(person, robot, space, jogs);
+    JogSession session = new JogSession(person, robot, space, jogs, refusal);
     LoopConfig config =
         LoopConfig.create(
             cfg ->
@@ -106,6 +120,7 @@ final class JogSession implements InputDevice {
                                 .maxInputAge(HoldToRun.SILENCE)
                                 .maxFeedbackAge(options.jogMaxDelay()))
                     .input(session)
+                    .writeIf(session::mayWrite)
                     .traceLength(1));
     try {
       ControlLoop started =
@@ -119,7 +134,8 @@ final class JogSession implements InputDevice {
       }
       return session;
     } catch (ControlRefusedException e) {
-      throw new CommandException(e.reason().message());
+      String why = session.stopped;
+      throw new CommandException(why == null ? e.reason().message() : "did not jog: " + why);
     }
   }
 
@@ -310,9 +326,7 @@ final class JogSession implements InputDevice {
   @Override
   public Input read() {
     cycled = System.nanoTime();
-    if (!robot.lock().isOpen()) {
-      stop("the robot was locked");
-    } else if (System.nanoTime() - seen > JogOwner.PRESENCE.toNanos()) {
+    if (mayWrite() && System.nanoTime() - seen > JogOwner.PRESENCE.toNanos()) {
       stop("the page of " + person.name() + " is gone");
     }
     HoldToRun.Allowed allowed = holds.allowed();
@@ -322,6 +336,15 @@ final class JogSession implements InputDevice {
     }
     presses = allowed.presses();
     return new Input(List.of(), List.of(), true, allowed.nanoTime());
+  }
+
+  /** Returns whether the loop may still write; otherwise it ends. */
+  private boolean mayWrite() {
+    String why = refusal.get();
+    if (!why.isEmpty()) {
+      stop(why);
+    }
+    return why.isEmpty();
   }
 
   private Input deflections(State state) {

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.control.DriveSpace;
 import no.hials.crosscom.web.WebConfig;
+import no.hials.crosscom.web.internal.robot.Lock;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import no.hials.crosscom.web.internal.socket.Call;
 import no.hials.crosscom.web.internal.socket.CommandException;
@@ -68,7 +69,7 @@ final class RobotJog {
       if (old != null) {
         old.close("jogging started again");
       }
-      start(person, space);
+      start(call, person, space);
     } catch (IOException e) {
       synchronized (this) {
         lastEnd = String.valueOf(e.getMessage());
@@ -82,8 +83,16 @@ final class RobotJog {
     }
   }
 
-  private void start(JogOwner.Person person, DriveSpace space) throws IOException {
-    JogSession started = JogSession.open(person, robot, space, config, jogs);
+  private void start(Call call, JogOwner.Person person, DriveSpace space) throws IOException {
+    Lock lock = robot.lock();
+    JogSession started =
+        JogSession.open(
+            person,
+            robot,
+            space,
+            config,
+            jogs,
+            () -> lock.isOpen() ? lock.refusal(call) : "the robot was locked");
     boolean kept;
     synchronized (this) {
       kept = owner.isOwner(person) && !closed;

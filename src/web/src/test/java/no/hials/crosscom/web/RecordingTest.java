@@ -205,13 +205,18 @@ class RecordingTest {
       Path files = Files.createDirectories(folder.resolve("recordings"));
       Files.writeString(files.resolve("a.csv"), "a,b\n1,2\n");
       Files.writeString(files.resolve("b.jsonl"), "[]\n{}\n");
+      Files.write(files.resolve("c.jsonl"), new byte[] {(byte) 0xFF, 1});
       String cookie = pages.login(Role.VIEW);
 
-      for (String file : List.of("a.csv", "b.jsonl")) {
+      for (String file : List.of("a.csv", "b.jsonl", "c.jsonl")) {
         HttpResponse<String> answer =
             pages.get(pages.at("/recordings/" + file + "/columns"), "Cookie", cookie);
         assertThat(answer.statusCode()).isEqualTo(422);
-        assertThat(answer.body()).containsAnyOf("is not a recording", "is not of a recording");
+        assertThat(answer.body())
+            .containsAnyOf(
+                "is not a recording",
+                "is not of a recording",
+                "cannot read c.jsonl: it is not in UTF-8");
         assertThat(answer.body()).doesNotContain(folder.toString());
       }
     }

@@ -2,6 +2,7 @@ package no.hials.crosscom.web.internal.recordings;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
@@ -13,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Semaphore;
 import java.util.regex.Pattern;
+import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.web.internal.http.BrowserSession;
 import no.hials.crosscom.web.internal.http.DeviceNames;
 import no.hials.crosscom.web.internal.http.PageHandler;
@@ -192,7 +194,9 @@ final class RecordingFiles implements Route {
     } catch (IOException e) {
       // viewers need not know the path of the folder
       String name = file.getFileName().toString();
-      String reason = String.valueOf(e.getMessage()).replace(file.toString(), name);
+      IOException shown =
+          e instanceof CharacterCodingException ? FileException.cannot("read", file, e) : e;
+      String reason = String.valueOf(shown.getMessage()).replace(file.toString(), name);
       boolean unused =
           PageHandler.refuse(response, done, HttpStatus.UNPROCESSABLE_ENTITY_422, reason);
       return;

@@ -6,6 +6,9 @@ import { changed, forgetServerTime, noteServerTime, state } from './state.js';
 const LONGEST_WAIT = 10_000;
 const PING_PERIOD = 1000;
 
+// characters: the server closes the connection at a longer message
+const LONGEST_MESSAGE = 256 * 1024;
+
 // ms of silence until the page gives up the server: longer than the server accepts old commands
 const LONGEST_SILENCE = 4000;
 
@@ -96,6 +99,11 @@ export function call(name, fields = {}) {
       return;
     }
     const id = ++number;
+    const message = JSON.stringify({ id, do: name, clock, ...fields });
+    if (message.length > LONGEST_MESSAGE) {
+      reject(new Error(`too large: ${message.length} characters; the server takes ${LONGEST_MESSAGE}`));
+      return;
+    }
     const timer = setTimeout(() => {
       pending.delete(id);
       unanswered(`no answer to ${name} within ${LONGEST_WAIT / 1000} s`);
@@ -111,16 +119,17 @@ export function call(name, fields = {}) {
       refuse: done((error) => reject(new Error(error))),
       reject: done(unanswered),
     });
-    socket.send(JSON.stringify({ id, do: name, clock, ...fields }));
+    socket.send(message);
   });
 }
 
 /** Sends a command, such as a beat, without waiting for its answer; returns whether it was sent. */
 export function tell(name, fields = {}) {
-  if (socket?.readyState !== WebSocket.OPEN) {
+  const message = JSON.stringify({ id: 0, do: name, ...fields });
+  if (socket?.readyState !== WebSocket.OPEN || message.length > LONGEST_MESSAGE) {
     return false;
   }
-  socket.send(JSON.stringify({ id: 0, do: name, ...fields }));
+  socket.send(message);
   return true;
 }
 

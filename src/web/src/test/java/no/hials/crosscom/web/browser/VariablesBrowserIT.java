@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,5 +47,18 @@ class VariablesBrowserIT {
 
     browser.await("document.querySelector('.lists select').value === 'Cell'");
     assertThat(folder.resolve("lists/Cell.txt")).content().contains("$POS_ACT");
+  }
+
+  @Test
+  void aFileThatIsTooLargeForAListIsRefusedBeforeItIsSent(Browser browser) throws IOException {
+    Path file = Files.writeString(folder.resolve("big.txt"), "$POS_ACT\n".repeat(50_000));
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=variables#/variables"));
+
+    browser.find(".lists input[type=file]").sendKeys(file.toString());
+
+    browser.await(
+        "document.querySelector('.notes').textContent.includes("
+            + "'big.txt has 450000 bytes; a list has at most 200000')");
   }
 }

@@ -8,6 +8,7 @@ import { call, onEvent } from '../socket.js';
 import { mayOperate, note, state, useSharedState } from '../state.js';
 
 export const PERIODS = [50, 100, 250, 500, 1000, 5000];
+const MAX_BYTES = 200_000; // of a file
 const MAX_CHARACTERS = 255; // the server refuses a whole list with a longer name
 const DEFAULT = {
   name: '',
@@ -128,6 +129,9 @@ export function Lists({ list, onChange }) {
     event.target.value = '';
     if (file) {
       attempt(async () => {
+        if (file.size > MAX_BYTES) {
+          throw new Error(`${file.name} has ${file.size} bytes; a list has at most ${MAX_BYTES}`);
+        }
         const { period, names } = await call('list-parse', { text: await file.text() });
         onChange({ name: '', period, names });
         note('done', `${names.length} variables from ${file.name}`);

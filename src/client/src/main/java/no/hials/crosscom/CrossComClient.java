@@ -521,11 +521,11 @@ public final class CrossComClient extends OriginalAccess {
    * }</pre>
    *
    * <p>If the future is cancelled before the first exchange of the function's thread, nothing is
-   * sent. Later, {@code cancel} does nothing and returns false. Do not change a variable before the
-   * function has used it. Calls of this client by other threads can run between the exchanges of
-   * the function; only another {@code async} waits until it ends. So a function that waits for the
-   * {@code async} of another thread never ends; its own {@code async} runs at once, in the same
-   * thread.
+   * sent but the client's own questions about the type of the server. Later, {@code cancel} does
+   * nothing and returns false. Do not change a variable before the function has used it. Calls of
+   * this client by other threads can run between the exchanges of the function; only another {@code
+   * async} waits until it ends. So a function that waits for the {@code async} of another thread
+   * never ends; its own {@code async} runs at once, in the same thread.
    *
    * @param function gets this client
    * @param <T> the type of the result

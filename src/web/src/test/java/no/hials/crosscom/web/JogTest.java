@@ -344,19 +344,8 @@ class JogTest {
     start();
     TestSocket observer = open(Role.OPERATE);
     TestSocket socket = open(Role.JOG);
-    CountDownLatch asked = new CountDownLatch(1);
     CountDownLatch released = new CountDownLatch(1);
-    pages
-        .controller()
-        .fault(
-            it -> {
-              boolean held = it.names().contains("JOV_SEEN");
-              if (held) {
-                asked.countDown();
-              }
-              return held;
-            },
-            Fault.hold(released));
+    CountDownLatch asked = pages.hold("JOV_SEEN", released);
     socket.send(
         String.format(
             "{\"id\":901,\"do\":\"jog-open\",\"robot\":\"mock\",\"space\":\"base\","

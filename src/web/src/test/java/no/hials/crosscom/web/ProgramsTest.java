@@ -269,11 +269,8 @@ class ProgramsTest {
 
   @Test
   void aStartThatWaitsForTheRobotIsNotSentOnceTheRobotIsLocked() throws Exception {
-    startUnlocked(ServerType.C3_BRIDGE);
-    load("work.src", PROGRAM);
-    pages.controller().controller().robot().select("WORK");
     CountDownLatch released = new CountDownLatch(1);
-    try (TestSocket other = pages.open(Role.OPERATE)) {
+    try (TestSocket other = openAfterSelection()) {
       sendStartThatWaits(other, released);
 
       assertThat(socket.call("lock", "robot", "'mock'", "locked", "true").has("ok")).isTrue();
@@ -288,11 +285,8 @@ class ProgramsTest {
 
   @Test
   void aStartThatWaitsForTheRobotIsNotSentOnceItsPageIsClosed() throws Exception {
-    startUnlocked(ServerType.C3_BRIDGE);
-    load("work.src", PROGRAM);
-    pages.controller().controller().robot().select("WORK");
     CountDownLatch released = new CountDownLatch(1);
-    try (TestSocket other = pages.open(Role.OPERATE)) {
+    try (TestSocket other = openAfterSelection()) {
       sendStartThatWaits(other, released);
     }
     awaitNoWaitingOrder();
@@ -303,20 +297,16 @@ class ProgramsTest {
     assertThat(String.valueOf(lastAudit())).contains("start", "the page that sent it is gone");
   }
 
+  private TestSocket openAfterSelection() throws Exception {
+    startUnlocked(ServerType.C3_BRIDGE);
+    load("work.src", PROGRAM);
+    pages.controller().controller().robot().select("WORK");
+    return pages.open(Role.OPERATE);
+  }
+
   /** Sends a start while the robot does not answer a read, and returns once it waits for that. */
   private void sendStartThatWaits(TestSocket other, CountDownLatch released) throws Exception {
-    CountDownLatch asked = new CountDownLatch(1);
-    pages
-        .controller()
-        .fault(
-            it -> {
-              boolean held = it.names().contains("MYINT");
-              if (held) {
-                asked.countDown();
-              }
-              return held;
-            },
-            Fault.hold(released));
+    CountDownLatch asked = pages.hold("MYINT", released);
     socket.send("{\"id\":900,\"do\":\"read\",\"robot\":\"mock\",\"name\":\"MYINT\"}");
     asked.await();
     other.send(

@@ -10,6 +10,7 @@ import java.security.GeneralSecurityException;
 import java.security.KeyStore;
 import java.time.Clock;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -17,6 +18,7 @@ import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.ServerType;
@@ -106,6 +108,25 @@ public final class TestPages implements AutoCloseable {
   /** Returns the simulated controller. */
   public MockServer controller() {
     return controller;
+  }
+
+  /**
+   * Lets the controller not answer requests for a variable until it is released.
+   *
+   * @return counted down by the first of these requests
+   */
+  public CountDownLatch hold(String variable, CountDownLatch released) {
+    CountDownLatch asked = new CountDownLatch(1);
+    controller.fault(
+        request -> {
+          boolean held = request.names().contains(variable);
+          if (held) {
+            asked.countDown();
+          }
+          return held;
+        },
+        Fault.hold(released));
+    return asked;
   }
 
   /** Returns the server under test. */

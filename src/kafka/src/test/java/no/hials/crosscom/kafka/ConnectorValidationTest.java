@@ -64,6 +64,7 @@ class ConnectorValidationTest {
           lease.topic,         leases-{robot},       must be letters
           lease.topic,         "",                   must be letters
           lease.ms,            499,                  at least 500
+          lease.ms,            abc,                  Not a number
           lease.ms,            9223372036854775807,  no more than 3600000
           lease.recovery.ms,   9223372036854775807,  no more than 3600000
           buffer.records,      2147483647,           no more than 1000000

@@ -95,14 +95,14 @@ public final class ConnectorSettings extends AbstractConfig {
               LEASE_RECOVERY,
               ConfigDef.Type.LONG,
               10_000,
-              Range.between(0, LONGEST),
+              between(0, LONGEST),
               Importance.MEDIUM,
               "How long a task that has lost its lease waits before it uses robots again, in ms")
           .define(
               BUFFER,
               ConfigDef.Type.INT,
               10_000,
-              Range.between(1, 1_000_000),
+              between(1, 1_000_000),
               Importance.LOW,
               "The number of samples that may wait until Connect takes them; more are counted as"
                   + " lost");
@@ -133,12 +133,24 @@ public final class ConnectorSettings extends AbstractConfig {
               MAX_AGE,
               ConfigDef.Type.LONG,
               10_000,
-              Range.atLeast(1),
+              between(1, Long.MAX_VALUE),
               Importance.MEDIUM,
               "A record older than this, by its timestamp, is not written, in ms");
 
   private ConnectorSettings(ConfigDef definition, Map<String, String> properties) {
     super(definition, properties, false);
+  }
+
+  /** Returns a rule for numbers. A value that is not a number has its own error already. */
+  private static ConfigDef.Validator between(long min, long max) {
+    Range range = Range.between(min, max);
+    return ConfigDef.LambdaValidator.with(
+        (key, value) -> {
+          if (value != null) {
+            range.ensureValid(key, value);
+          }
+        },
+        range::toString);
   }
 
   private static void checkTopic(String key, Object value) {
@@ -179,7 +191,7 @@ public final class ConnectorSettings extends AbstractConfig {
             LEASE,
             ConfigDef.Type.LONG,
             3000,
-            Range.between(500, LONGEST),
+            between(500, LONGEST),
             Importance.MEDIUM,
             "How long a task uses robots after the last proof that it reaches the broker, in ms;"
                 + " at most session.timeout.ms - heartbeat.interval.ms - 500");

@@ -118,16 +118,17 @@ public final class CommandWriter implements AutoCloseable {
       String name, Map<SinkRecord, SinkCommand> commands) {
     Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
     RobotFeed robot = null;
-    AtomicBoolean withoutLease = new AtomicBoolean();
+    AtomicBoolean refused = new AtomicBoolean();
+    // before each access: it can take seconds to connect, and the file can change meanwhile
     BooleanSupplier allowed =
         () -> {
-          boolean held = lease.isHeld();
-          withoutLease.compareAndSet(false, !held);
-          return held;
+          boolean may = mayWrite();
+          refused.compareAndSet(false, !may);
+          return may;
         };
     try {
       for (Map.Entry<SinkRecord, SinkCommand> one : commands.entrySet()) {
-        if (!lease.isHeld() || !plant.isCurrent()) {
+        if (!mayWrite()) {
           break;
         }
         SinkRecord record = one.getKey();
@@ -140,8 +141,8 @@ public final class CommandWriter implements AutoCloseable {
               who(record), plant.plant(), robot, one.getValue().variable(), one.getValue().value());
           outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
-          // the lease ended meanwhile: the robot may not be silent at all
-          if (withoutLease.get()) {
+          // the lease ended or the file changed meanwhile: the robot may not be silent at all
+          if (refused.get()) {
             break; // nothing was sent
           }
           silent.add(name);
@@ -157,6 +158,10 @@ public final class CommandWriter implements AutoCloseable {
       close(robot);
     }
     return outcomes;
+  }
+
+  private boolean mayWrite() {
+    return lease.isHeld() && plant.isCurrent();
   }
 
   private static void close(@Nullable RobotFeed robot) {

@@ -81,7 +81,10 @@ class CommandWriterTest {
   }
 
   private SinkRecord record(String robot, long value, Duration age) {
-    Map<String, ?> command = Map.of("robot", robot, "variable", "$OV_PRO", "value", value);
+    return record(Map.of("robot", robot, "variable", "$OV_PRO", "value", value), age);
+  }
+
+  private SinkRecord record(Map<String, ?> command, Duration age) {
     long time = System.currentTimeMillis() - age.toMillis();
     return new SinkRecord(
         "commands", 0, null, null, null, command, offset++, time, TimestampType.CREATE_TIME);
@@ -184,6 +187,38 @@ class CommandWriterTest {
     Files.writeString(file(), text);
     assertThat(writer.isCurrent()).isTrue();
     assertThat(writer.write(List.of(command))).containsEntry(command, Optional.empty());
+  }
+
+  @Test
+  void nothingIsWrittenIfTheFileForbidsItWhileTheServerIsDetected() throws Exception {
+    String text =
+        """
+        [robots.r1]
+        host = "%s"
+        port = %d
+        [variables."TASK[]"]
+        write = true
+        values = ["Home"]
+        """
+            .formatted(first.host(), first.port());
+    Map<String, ?> value = Map.of("robot", "r1", "variable", "TASK[]", "value", "\"Home\"");
+    SinkRecord command = record(value, Duration.ZERO);
+    first.variables().declare("TASK[8]", "CHAR", "\"Away\"");
+    CountDownLatch answer = new CountDownLatch(1);
+    // a text has limits that depend on the server
+    first.fault(request -> request.name().equals("@PROXY_TYPE"), Fault.hold(answer));
+    try (CommandWriter own = writer(text, lease)) {
+      CompletableFuture<Map<SinkRecord, Optional<Exception>>> outcomes =
+          CompletableFuture.supplyAsync(() -> own.write(List.of(command)));
+      assertThat(first.takeRequest(Duration.ofSeconds(30)).orElseThrow().name())
+          .isEqualTo("@PROXY_TYPE");
+      Files.writeString(file(), text.replace("write = true", "write = false"));
+      answer.countDown();
+      assertThat(outcomes.get()).isEmpty();
+      assertThat(written(first)).isEmpty();
+      Files.writeString(file(), text);
+      assertThat(own.write(List.of(command))).containsEntry(command, Optional.empty());
+    }
   }
 
   @Test

@@ -61,6 +61,7 @@ public final class RobotSourceTask extends SourceTask {
   private boolean recovering;
   private long recoveringSince;
   private Moment lastPoll = Moment.now();
+  private boolean warned;
 
   /** Why the robots are not used. */
   private String lost = "";
@@ -293,9 +294,19 @@ public final class RobotSourceTask extends SourceTask {
 
   @Override
   public void commitRecord(SourceRecord record, @Nullable RecordMetadata metadata) {
+    if (!(record instanceof Given given) || lease == null || settings == null) {
+      return;
+    }
     // without metadata, a transformation dropped the record: it never reached the broker
-    if (metadata != null && record instanceof Given given && lease != null) {
+    String leases = settings.getString(ConnectorSettings.LEASE_TOPIC);
+    if (metadata != null) {
       lease.renew(given.moment);
+    } else if (!warned && given.topic().equals(leases)) {
+      warned = true;
+      LOG.warn(
+          "a transformation or a tolerated error left out a record of {}: without them no lease is"
+              + " held, and no robot is read",
+          leases);
     }
   }
 

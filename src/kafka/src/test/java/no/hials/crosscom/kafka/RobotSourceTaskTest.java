@@ -1,7 +1,10 @@
 package no.hials.crosscom.kafka;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
@@ -161,5 +164,24 @@ class RobotSourceTaskTest {
           .doesNotContain("robots");
     }
     assertThat(reason("stale")).isEqualTo("the task does not use the robot: it has no lease");
+  }
+
+  @Test
+  void aTransformationThatLeavesOutTheRecordsOfTheLeaseIsToldOnce() throws Exception {
+    PrintStream before = System.err;
+    ByteArrayOutputStream log = new ByteArrayOutputStream();
+    System.setErr(new PrintStream(log, true, UTF_8));
+    try {
+      for (int beats = 0; beats < 2; ) {
+        List<SourceRecord> records = task.poll();
+        for (SourceRecord record : records == null ? List.<SourceRecord>of() : records) {
+          task.commitRecord(record, null);
+          beats++;
+        }
+      }
+    } finally {
+      System.setErr(before);
+    }
+    assertThat(log.toString(UTF_8)).containsOnlyOnce("left out a record of robots-leases");
   }
 }

@@ -22,9 +22,6 @@ import org.jspecify.annotations.Nullable;
  * topic.
  */
 public final class RobotSinkConnector extends SinkConnector {
-  private static final String DEAD_LETTERS = "errors.deadletterqueue.topic.name";
-  private static final String TOLERANCE = "errors.tolerance";
-
   private @Nullable ConnectorSettings settings;
   private @Nullable PlantWatch plant;
 
@@ -45,13 +42,8 @@ public final class RobotSinkConnector extends SinkConnector {
   public Config validate(Map<String, String> properties) {
     Config config = PlantChecks.check(super.validate(properties));
     for (ConfigValue value : config.configValues()) {
-      if (value.name().equals(ConnectorSettings.WRITES)) {
-        if (!Boolean.TRUE.equals(value.value())) {
-          value.addErrorMessage("must be true: a write can move a machine");
-        } else if (properties.getOrDefault(DEAD_LETTERS, "").isBlank()
-            || !"all".equals(properties.get(TOLERANCE))) {
-          value.addErrorMessage("needs " + DEAD_LETTERS + ", and " + TOLERANCE + "=all");
-        }
+      if (value.name().equals(ConnectorSettings.WRITES) && !Boolean.TRUE.equals(value.value())) {
+        value.addErrorMessage("must be true: a write can move a machine");
       }
     }
     if (config.configValues().stream().allMatch(value -> value.errorMessages().isEmpty())) {

@@ -6,9 +6,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.TimeUnit;
-import java.util.concurrent.TimeoutException;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.feed.Writes;
@@ -16,6 +13,7 @@ import no.hials.crosscom.kafka.internal.Claims;
 import no.hials.crosscom.kafka.internal.CommandWriter;
 import no.hials.crosscom.kafka.internal.ConnectorSettings;
 import no.hials.crosscom.kafka.internal.ConnectorVersion;
+import no.hials.crosscom.kafka.internal.DeadLetters;
 import no.hials.crosscom.kafka.internal.Lease;
 import no.hials.crosscom.kafka.internal.TaskPlant;
 import no.hials.crosscom.protocol.value.PrintableText;
@@ -53,6 +51,7 @@ public final class RobotSinkTask extends SinkTask {
 
   private @Nullable CommandWriter writer;
   private @Nullable Claims claims;
+  private @Nullable DeadLetters dead;
   private @Nullable Lease lease;
   private boolean requested;
   private long requestedAt;
@@ -94,9 +93,12 @@ public final class RobotSinkTask extends SinkTask {
     String group =
         properties.getOrDefault("consumer.override.group.id", "connect-" + read.connector());
     claims = new Claims(read.admin(), group, PATIENCE);
-    if (context.errantRecordReporter() == null) {
+    ErrantRecordReporter reporter = context.errantRecordReporter();
+    if (reporter == null) {
       throw new ConnectException("the sink needs a dead-letter topic");
     }
+    dead =
+        new DeadLetters(reporter, read.getString(ConnectorSettings.DEAD_LETTERS), REPORT_PATIENCE);
   }
 
   private Claims claims() {
@@ -207,40 +209,25 @@ public final class RobotSinkTask extends SinkTask {
     }
   }
 
-  /** Returns an exception whose message and causes fit into the headers of a dead letter. */
-  private static Exception brief(Exception why) {
-    String message = String.valueOf(why.getMessage());
-    String shortened = PrintableText.shortened(message);
-    if (shortened.equals(message)) {
-      return why;
-    }
-    Exception brief = new ConnectException(shortened);
-    brief.setStackTrace(why.getStackTrace());
-    return brief;
-  }
-
   /** Puts a record on the dead-letter topic, and waits until it is there. */
   private void report(SinkRecord record, Exception why) {
-    ErrantRecordReporter reporter = context.errantRecordReporter();
-    Exception brief = brief(why);
+    if (dead == null) {
+      throw new IllegalStateException("not started");
+    }
     LOG.warn(
         "{}-{}@{}: {}",
         record.originalTopic(),
         record.originalKafkaPartition(),
         record.originalKafkaOffset(),
-        brief.getMessage());
-    try {
-      reporter.report(record, brief).get(REPORT_PATIENCE.toMillis(), TimeUnit.MILLISECONDS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new ConnectException("interrupted", e);
-    } catch (ExecutionException | TimeoutException e) {
-      throw new ConnectException("the dead-letter topic did not take a record", e);
-    }
+        PrintableText.shortened(String.valueOf(why.getMessage())));
+    dead.put(record, why);
   }
 
   @Override
   public void stop() {
+    if (dead != null) {
+      dead.close();
+    }
     if (lease != null) {
       lease.end();
     }

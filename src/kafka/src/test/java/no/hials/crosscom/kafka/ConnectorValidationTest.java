@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import org.apache.kafka.connect.connector.Connector;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.junit.jupiter.api.BeforeEach;
@@ -33,6 +34,7 @@ class ConnectorValidationTest {
     sink.put("audit.folder", folder.toString());
     sink.put("errors.tolerance", "all");
     sink.put("errors.deadletterqueue.topic.name", "dead");
+    sink.put("producer.override.delivery.timeout.ms", "30000");
   }
 
   /** Returns the errors, each with its property before it. */
@@ -140,6 +142,9 @@ class ConnectorValidationTest {
           audit.folder,        "",         must be non-empty
           bootstrap.servers,   "",         You must set either bootstrap.servers
           bootstrap.servers,   nonsense,   Invalid url in bootstrap.servers: nonsense
+          errors.tolerance,    none,       must be all
+          errors.deadletterqueue.topic.name,      "",     must be non-empty
+          producer.override.delivery.timeout.ms,  60001,  no more than 60000
           """)
   void aWrongPropertyOfTheSinkIsNamed(String key, String value, String rule) {
     sink.put(key, value);
@@ -148,6 +153,18 @@ class ConnectorValidationTest {
         .asString()
         .startsWith(key + ": ")
         .contains(rule);
+  }
+
+  @Test
+  void theSinkNeedsADeadLetterTopicAndALimitOfItsWaitForIt() {
+    sink.keySet().removeAll(Set.of("errors.tolerance", "errors.deadletterqueue.topic.name"));
+    sink.remove("producer.override.delivery.timeout.ms");
+    assertThat(errors(new RobotSinkConnector(), sink))
+        .extracting(error -> error.substring(0, error.indexOf(':')))
+        .containsExactlyInAnyOrder(
+            "errors.tolerance",
+            "errors.deadletterqueue.topic.name",
+            "producer.override.delivery.timeout.ms");
   }
 
   @Test

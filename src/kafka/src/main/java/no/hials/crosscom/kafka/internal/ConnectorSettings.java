@@ -54,6 +54,14 @@ public final class ConnectorSettings extends AbstractConfig {
   /** The brokers where the claims are verified. */
   public static final String BOOTSTRAP = "bootstrap.servers";
 
+  /** The topic of the records that were not written. */
+  public static final String DEAD_LETTERS = "errors.deadletterqueue.topic.name";
+
+  private static final String TOLERANCE = "errors.tolerance";
+
+  /** How long the producer of the dead letters tries; Connect would let it try for weeks. */
+  private static final String DELIVERY = "producer.override.delivery.timeout.ms";
+
   /** The prefix of further settings of the client that verifies the claims. */
   private static final String ADMIN_PREFIX = "admin.";
 
@@ -135,7 +143,29 @@ public final class ConnectorSettings extends AbstractConfig {
               10_000,
               between(1, Long.MAX_VALUE),
               Importance.MEDIUM,
-              "A record older than this, by its timestamp, is not written, in ms");
+              "A record older than this, by its timestamp, is not written, in ms")
+          .define(
+              DEAD_LETTERS,
+              ConfigDef.Type.STRING,
+              ConfigDef.NO_DEFAULT_VALUE,
+              new ConfigDef.NonEmptyString(),
+              Importance.HIGH,
+              "The topic of the records that were not written")
+          .define(
+              TOLERANCE,
+              ConfigDef.Type.STRING,
+              ConfigDef.NO_DEFAULT_VALUE,
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkTolerance, () -> "all"),
+              Importance.HIGH,
+              "Must be all: a record that is not written goes to the dead-letter topic")
+          .define(
+              DELIVERY,
+              ConfigDef.Type.INT,
+              ConfigDef.NO_DEFAULT_VALUE,
+              between(1, 60_000),
+              Importance.HIGH,
+              "The longest time until a task fails that cannot put a record on the dead-letter"
+                  + " topic, in ms");
 
   private ConnectorSettings(ConfigDef definition, Map<String, String> properties) {
     super(definition, properties, false);
@@ -167,6 +197,12 @@ public final class ConnectorSettings extends AbstractConfig {
 
   private static boolean isTopic(String name) {
     return TOPIC_NAME.matcher(name).matches();
+  }
+
+  private static void checkTolerance(String key, Object value) {
+    if (value != null && !"all".equals(value)) {
+      throw new ConfigException(key, value, "must be all");
+    }
   }
 
   private static void checkPath(String key, Object value) {

@@ -65,6 +65,7 @@ final class Broker implements AutoCloseable {
             "transaction.state.log.min.isr=1",
             "transaction.state.log.num.partitions=1",
             "group.initial.rebalance.delay.ms=0",
+            "auto.create.topics.enable=false",
             ""));
     int code =
         StorageTool.execute(

@@ -102,6 +102,8 @@ class ConnectorsIT {
     sink.put("errors.deadletterqueue.topic.name", name + "-dead");
     sink.put("errors.deadletterqueue.topic.replication.factor", "1");
     sink.put("errors.deadletterqueue.context.headers.enable", "true");
+    sink.put("producer.override.delivery.timeout.ms", "20000");
+    sink.put("producer.override.request.timeout.ms", "10000");
     for (int i = 0; i < more.length; i += 2) {
       sink.put(more[i], more[i + 1]);
     }
@@ -151,7 +153,7 @@ class ConnectorsIT {
     assertThatThrownBy(() -> worker.put(name, sink())).hasMessageContaining("must be true");
     assertThatThrownBy(
             () -> worker.put(name, sink("writes.enabled", "true", "errors.tolerance", "none")))
-        .hasMessageContaining("needs errors.deadletterqueue.topic.name");
+        .hasMessageContaining("errors.tolerance");
   }
 
   @Test
@@ -205,6 +207,52 @@ class ConnectorsIT {
     assertThat(deadLetter()).contains("41", "does not allow it");
     assertThat(writes("r1")).extracting(RecordedRequest::value).containsExactly("40");
     Files.writeString(robots.file(), text);
+  }
+
+  @Test
+  void aDeadLetterThatIsRefusedFailsTheTaskAndIsThereAfterItsRestart() throws Exception {
+    Map<String, String> right = sink("writes.enabled", "true");
+    // too small for the stack trace in the headers
+    worker.put(name, sink("writes.enabled", "true", "producer.override.max.request.size", "1000"));
+    send("r1", "$POS_ACT.X", "40");
+    while (!taskState().equals("FAILED")) {
+      JavaProcess.pause(50);
+    }
+    assertThat(worker.get("/connectors/" + name + "/status"))
+        .contains("the dead-letter topic " + name + "-dead has refused a record");
+    worker.put(name, right);
+    assertThat(deadLetter()).contains("$POS_ACT.X", "outcome unknown");
+    assertThat(writes("r1")).isEmpty();
+  }
+
+  @Test
+  void aTaskFailsIfItsDeadLetterTopicIsDeletedAndTheLetterIsThereAfterItsRestart()
+      throws Exception {
+    worker.put(
+        name,
+        sink(
+            "writes.enabled",
+            "true",
+            "producer.override.delivery.timeout.ms",
+            "3000",
+            "producer.override.request.timeout.ms",
+            "2000"));
+    send("r1", "$POS_ACT.X", "40");
+    assertThat(deadLetter()).contains("does not allow it");
+    try (Admin admin = broker.admin()) {
+      admin.deleteTopics(List.of(name + "-dead")).all().get();
+    }
+    send("r1", "$POS_ACT.X", "41");
+    while (!taskState().equals("FAILED")) {
+      JavaProcess.pause(50);
+    }
+    assertThat(worker.get("/connectors/" + name + "/status"))
+        .contains("the dead-letter topic " + name + "-dead did not take a record");
+    broker.createTopic(name + "-dead");
+    dead.close();
+    dead = broker.consumer(name + "-dead");
+    worker.put(name, sink("writes.enabled", "true"));
+    assertThat(deadLetter()).contains("41", "outcome unknown");
   }
 
   private String taskState() throws Exception {

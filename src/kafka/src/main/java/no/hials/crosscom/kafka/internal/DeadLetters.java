@@ -1,0 +1,113 @@
+package no.hials.crosscom.kafka.internal;
+
+import java.time.Duration;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import no.hials.crosscom.protocol.value.PrintableText;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.sink.ErrantRecordReporter;
+import org.apache.kafka.connect.sink.SinkRecord;
+
+/**
+ * Puts records on the dead-letter topic, and is certain that they are there. Connect drops the
+ * failure of a record that its producer refuses at once, and returns a future that is done, as if
+ * the record had been sent. So only a future that was not done at first is a proof.
+ */
+public final class DeadLetters implements AutoCloseable {
+  /** A future that is done at once can also be that of a very quick answer: a few in a row not. */
+  private static final int TRIES = 3;
+
+  private final ErrantRecordReporter reporter;
+  private final String topic;
+  private final Duration patience;
+
+  /** The producer of Connect waits without an end for a topic that does not exist. */
+  private final ExecutorService thread =
+      Executors.newSingleThreadExecutor(
+          task -> {
+            Thread created = new Thread(task, "jopenshowvar-dead-letters");
+            created.setDaemon(true);
+            return created;
+          });
+
+  /**
+   * Creates an object that reports to Connect.
+   *
+   * @param topic the name of the dead-letter topic, for messages
+   * @param patience the longest wait for the brokers
+   */
+  public DeadLetters(ErrantRecordReporter reporter, String topic, Duration patience) {
+    this.reporter = reporter;
+    this.topic = topic;
+    this.patience = patience;
+  }
+
+  /**
+   * Puts a record on the topic, and waits until it is there.
+   *
+   * @throws ConnectException if that is not certain
+   */
+  public void put(SinkRecord record, Exception why) {
+    Exception brief = brief(why);
+    Future<Boolean> sent = thread.submit(() -> isSent(record, brief));
+    try {
+      if (!sent.get(patience.toMillis(), TimeUnit.MILLISECONDS)) {
+        throw new ConnectException(
+            "the dead-letter topic "
+                + topic
+                + " has refused a record; the log of the worker says why: Could not produce message"
+                + " to dead letter queue");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new ConnectException("interrupted", e);
+    } catch (ExecutionException e) {
+      Throwable cause =
+          e.getCause() instanceof ExecutionException in ? in.getCause() : e.getCause();
+      throw new ConnectException(
+          "the dead-letter topic " + topic + " did not take a record: " + cause, e);
+    } catch (TimeoutException e) {
+      throw new ConnectException(
+          "the dead-letter topic "
+              + topic
+              + " did not take a record within "
+              + patience.toMillis()
+              + " ms: it does not exist, or its brokers do not answer",
+          e);
+    }
+  }
+
+  private boolean isSent(SinkRecord record, Exception why)
+      throws ExecutionException, InterruptedException {
+    for (int i = 0; i < TRIES; i++) {
+      Future<Void> future = reporter.report(record, why);
+      boolean certain = !future.isDone();
+      future.get();
+      if (certain) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Returns an exception whose message and causes fit into the headers of a dead letter. */
+  private static Exception brief(Exception why) {
+    String message = String.valueOf(why.getMessage());
+    String shortened = PrintableText.shortened(message);
+    if (shortened.equals(message)) {
+      return why;
+    }
+    Exception brief = new ConnectException(shortened);
+    brief.setStackTrace(why.getStackTrace());
+    return brief;
+  }
+
+  @Override
+  public void close() {
+    thread.shutdownNow();
+  }
+}

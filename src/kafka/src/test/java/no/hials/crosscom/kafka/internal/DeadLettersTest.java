@@ -1,0 +1,97 @@
+package no.hials.crosscom.kafka.internal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.apache.kafka.connect.errors.ConnectException;
+import org.apache.kafka.connect.errors.DataException;
+import org.apache.kafka.connect.sink.ErrantRecordReporter;
+import org.apache.kafka.connect.sink.SinkRecord;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Dead letters, with the ways in which Connect answers a report. */
+@Timeout(60)
+class DeadLettersTest {
+  private static final SinkRecord RECORD = new SinkRecord("commands", 0, null, null, null, "x", 7);
+
+  private static void put(ErrantRecordReporter reporter, Duration patience) {
+    try (DeadLetters letters = new DeadLetters(reporter, "dead", patience)) {
+      letters.put(RECORD, new DataException("not written"));
+    }
+  }
+
+  private static void put(ErrantRecordReporter reporter) {
+    put(reporter, Duration.ofSeconds(50));
+  }
+
+  private static Future<Void> acknowledged() {
+    return CompletableFuture.runAsync(
+        () -> {}, CompletableFuture.delayedExecutor(50, TimeUnit.MILLISECONDS));
+  }
+
+  @Test
+  void aRecordThatTheBrokerAcknowledgesIsReportedOnce() {
+    AtomicInteger reports = new AtomicInteger();
+    put(
+        (record, why) -> {
+          reports.incrementAndGet();
+          return acknowledged();
+        });
+    assertThat(reports).hasValue(1);
+  }
+
+  @Test
+  void aReportThatIsDoneAtOnceIsNoProof() {
+    assertThatThrownBy(() -> put((record, why) -> CompletableFuture.completedFuture(null)))
+        .isInstanceOf(ConnectException.class)
+        .hasMessageContaining("the dead-letter topic dead has refused a record");
+  }
+
+  @Test
+  void aRecordIsReportedAgainIfTheFirstAnswerCameTooQuicklyToBeAProof() {
+    AtomicInteger reports = new AtomicInteger();
+    put(
+        (record, why) ->
+            reports.getAndIncrement() == 0
+                ? CompletableFuture.completedFuture(null)
+                : acknowledged());
+    assertThat(reports).hasValue(2);
+  }
+
+  @Test
+  void theReasonOfARefusalByTheBrokerIsTold() {
+    assertThatThrownBy(
+            () ->
+                put(
+                    (record, why) ->
+                        CompletableFuture.failedFuture(new IllegalStateException("disk full"))))
+        .hasMessageContaining("did not take a record")
+        .hasMessageContaining("disk full");
+  }
+
+  @Test
+  void aReportThatNeverReturnsEndsWithTheReason() {
+    CountDownLatch never = new CountDownLatch(1);
+    assertThatThrownBy(
+            () ->
+                put(
+                    (record, why) -> {
+                      try {
+                        never.await();
+                      } catch (InterruptedException e) {
+                        throw new ConnectException("closed", e);
+                      }
+                      return acknowledged();
+                    },
+                    Duration.ofMillis(50)))
+        .hasMessageContaining("dead did not take a record within 50 ms")
+        .hasMessageContaining("does not exist");
+  }
+}

@@ -151,7 +151,7 @@ public final class CommandWriter implements AutoCloseable {
           if (isWithoutAnswer(e)) {
             silent.add(name);
           }
-          outcomes.put(record, Optional.of(e));
+          outcomes.put(record, Optional.of(reason(e)));
         }
       }
     } finally {
@@ -172,6 +172,17 @@ public final class CommandWriter implements AutoCloseable {
     } catch (IOException e) {
       LOG.warn("{}: {}", robot.name(), e.getMessage());
     }
+  }
+
+  /**
+   * Returns a failure that says if nothing was written: a dead letter has no other place for it.
+   */
+  private static Exception reason(Exception failure) {
+    return isWithoutAnswer(failure)
+            && failure instanceof CrossComException before
+            && !before.isOutcomeUnknown()
+        ? new ConnectException("not written: " + before.getMessage(), before)
+        : failure;
   }
 
   private static boolean isWithoutAnswer(Exception failure) {

@@ -159,6 +159,25 @@ class CommandWriterTest {
   }
 
   @Test
+  void aConnectionThatBreaksBeforeTheWriteSaysThatNothingWasWritten() throws Exception {
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        CommandWriter other =
+            writer(
+                Files.readString(file())
+                    .replace("port = " + first.port(), "port = " + full.getLocalPort()),
+                lease)) {
+      SinkRecord command = record("r1", 40);
+      CompletableFuture<Map<SinkRecord, Optional<Exception>>> outcomes =
+          CompletableFuture.supplyAsync(() -> other.write(List.of(command)));
+      // as a server that has too many clients
+      full.accept().close();
+      assertThat(outcomes.get().get(command).orElseThrow())
+          .hasMessageStartingWith("not written: ")
+          .hasMessageContaining("broke");
+    }
+  }
+
+  @Test
   void theRecordsOfARobotAreWrittenInTheirOrder() {
     var unused = writer.write(List.of(record("r1", 1), record("r2", 2), record("r1", 3)));
     assertThat(written(first)).containsExactly("1", "3");

@@ -200,13 +200,17 @@ class FailoverIT {
     void add(JsonNode value, boolean beginsRun) {
       long time = value.path("time").asLong();
       if (value.path("quality").asText().equals("gap")) {
+        long from = value.path("gap").path("from").asLong();
+        long readings = value.path("gap").path("missed").asLong();
         if (beginsRun && read > 0) {
           // a worker that was frozen can replace the stored offset by its own
           // (docs/concepts/kafka-failover.md#what-remains)
-          replaced += Math.max(0, (last - value.path("gap").path("from").asLong()) / PERIOD);
+          replaced += Math.max(0, (last - from) / PERIOD);
+        } else if (from < first) { // the first reading was late
+          first = Math.max(from, first - readings * PERIOD);
         }
         gaps++;
-        missed += value.path("gap").path("missed").asLong();
+        missed += readings;
       } else if (value.path("quality").asText().equals("good")
           && value.path("variable").asText().equals("$OV_PRO")) {
         first = read == 0 ? time : first;

@@ -64,6 +64,7 @@ final class OpcUaOutput implements Output {
   private final OpcUaServer server;
   private final CompanionTypes types;
   private final RobotsNamespace namespace;
+  private final Subscriptions subscriptions;
   private final Map<String, RobotNodes> robots = new ConcurrentHashMap<>();
 
   OpcUaOutput(OpcUaSettings settings, GatewayContext context) throws IOException {
@@ -87,6 +88,7 @@ final class OpcUaOutput implements Output {
                     OpcTcpServerTransportConfig.newBuilder().setExecutor(executor).build()));
     types = new CompanionTypes(server);
     namespace = new RobotsNamespace(server, types, writes);
+    subscriptions = new Subscriptions(server);
     types.startup();
     namespace.startup();
     server.updateReferenceTypeTree();
@@ -142,6 +144,7 @@ final class OpcUaOutput implements Output {
         .setIdentityValidator(users.validator())
         .setEndpoints(endpoints())
         .setExecutor(executor)
+        .setLimits(new Subscriptions.Limits())
         .build();
   }
 
@@ -216,6 +219,7 @@ final class OpcUaOutput implements Output {
     @Override
     public void onSessionClosed(Session session) {
       sessions.dec();
+      subscriptions.end(session);
       LOG.info("OPC UA: session {} has ended", name(session));
     }
   }
@@ -257,6 +261,7 @@ final class OpcUaOutput implements Output {
   @Override
   public void close() {
     writes.close();
+    subscriptions.shutdown();
     server.shutdown().join();
     namespace.shutdown();
     types.shutdown();

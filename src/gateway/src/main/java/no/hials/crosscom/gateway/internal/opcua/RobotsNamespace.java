@@ -29,7 +29,6 @@ import org.jspecify.annotations.Nullable;
 final class RobotsNamespace extends StaticNamespace {
   static final String URI = "urn:jopenshowvar:gateway:robots";
   private static final UInteger VALUE = AttributeId.Value.uid();
-  private static final UInteger MAX_QUEUE = UInteger.valueOf(1000);
 
   private final CompanionTypes types;
   private final RobotWrites writes;
@@ -81,24 +80,6 @@ final class RobotsNamespace extends StaticNamespace {
         item.setValue(new DataValue(StatusCodes.Bad_NodeIdUnknown));
       }
     }
-  }
-
-  @Override
-  public RevisedDataItemParameters onCreateDataItem(
-      ReadValueId what, Double samplingInterval, UInteger queueSize) {
-    return revised(queueSize);
-  }
-
-  @Override
-  public RevisedDataItemParameters onModifyDataItem(
-      ReadValueId what, Double samplingInterval, UInteger queueSize) {
-    return revised(queueSize);
-  }
-
-  /** Returns an interval of 0: an item gets each value that the plan reads. */
-  private static RevisedDataItemParameters revised(UInteger queueSize) {
-    return new RevisedDataItemParameters(
-        0.0, queueSize.compareTo(MAX_QUEUE) > 0 ? MAX_QUEUE : queueSize);
   }
 
   @Override

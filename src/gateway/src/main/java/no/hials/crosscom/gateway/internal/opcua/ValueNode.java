@@ -1,7 +1,7 @@
 package no.hials.crosscom.gateway.internal.opcua;
 
 import java.util.Set;
-import java.util.concurrent.CopyOnWriteArraySet;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import no.hials.crosscom.cell.feed.Quality;
@@ -36,7 +36,7 @@ final class ValueNode extends UaVariableNode {
   private final UnaryOperator<@Nullable KrlValue> part;
   private final Function<KrlValue, @Nullable Object> conversion;
   private final Access access;
-  private final Set<DataItem> items = new CopyOnWriteArraySet<>();
+  private final Set<DataItem> items = ConcurrentHashMap.newKeySet();
 
   /** The variable of a robot that clients may change through a node. */
   interface Access {

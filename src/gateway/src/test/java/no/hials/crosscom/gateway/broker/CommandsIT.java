@@ -67,7 +67,7 @@ class CommandsIT extends BrokerTest {
   @Test
   void answersToTheResponseTopicWithTheCorrelationData() throws Exception {
     startWithCommands();
-    try (Observer observer = observer(broker).subscribe("answers")) {
+    try (Observer observer = observer(broker).subscribe("answers").subscribe("others")) {
       Mqtt5Publish command =
           Mqtt5Publish.builder()
               .topic(SET)
@@ -86,10 +86,15 @@ class CommandsIT extends BrokerTest {
 
       observer.publish(command);
 
-      observer.await("answers", "not executed: a command with the same correlation data");
+      observer.await(
+          "answers", "not executed: a command with the same response topic and correlation data");
+
+      observer.publish(command.extend().responseTopic("others").build());
+
+      observer.await("others", "done");
     }
     List<String> audit = Files.readAllLines(folder.resolve("data/audit.jsonl"));
-    assertThat(audit).hasSize(1);
+    assertThat(audit).hasSize(2);
     assertThat(audit.get(0)).contains("mqtt:planner");
   }
 

@@ -40,7 +40,7 @@ final class TopicCommands {
       };
 
   /** The identity of a command: two messages with the same one are one command. */
-  private record Identity(String topic, ByteBuffer correlation) {}
+  private record Identity(String topic, String responseTopic, ByteBuffer correlation) {}
 
   /**
    * Creates the receiver of commands.
@@ -85,10 +85,12 @@ final class TopicCommands {
       return "the command is longer than " + LONGEST_PAYLOAD + " bytes";
     }
     ByteBuffer correlation = message.correlation();
-    if (correlation != null && message.responseTopic() != null) {
+    String responseTopic = message.responseTopic();
+    if (correlation != null && responseTopic != null) {
       synchronized (known) {
-        if (known.put(new Identity(message.topic(), correlation), true) != null) {
-          return "not executed: a command with the same correlation data was received before";
+        if (known.put(new Identity(message.topic(), responseTopic, correlation), true) != null) {
+          return "not executed: a command with the same response topic and correlation data was"
+              + " received before";
         }
       }
     }

@@ -9,6 +9,7 @@ import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -84,7 +85,7 @@ class FeedTest {
         """
         [robots.cell1]
         host = "%s:%d"
-        timeout = "1s"
+        timeout = "10s"
         [limits]
         load = 100
         [groups.all]
@@ -205,6 +206,37 @@ class FeedTest {
     released.countDown();
 
     assertThat(stale.value()).isEqualTo(new KrlInt(100));
+  }
+
+  @Test
+  void aValueThatWaitedTooLongForTheRestOfItsReadingIsStale() throws Exception {
+    robot.variables().set("MYREAL", "1.0");
+    robot.variables().set("MYINT", "1");
+    start("variables = [\"MYREAL\", \"MYINT\"]", "");
+    next(is("MYINT", 1));
+    CountDownLatch arrived = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    robot.fault(
+        request -> {
+          boolean second = request.name().equals("MYINT");
+          if (second) {
+            arrived.countDown();
+          }
+          return second;
+        },
+        Fault.hold(released));
+    Latches.await(arrived);
+    long read = System.nanoTime();
+    Duration limit = Duration.ofMillis(2 * 20 + 1000);
+    while (System.nanoTime() - read < limit.toNanos()) {
+      var unused = updates.poll(10, TimeUnit.MILLISECONDS);
+    }
+    released.countDown();
+
+    Update late = next(update -> update.quality() == Quality.STALE);
+    assertThat(late.variable().name()).isEqualTo("MYREAL");
+    assertThat(late.value()).isEqualTo(KrlValue.parse("1.0"));
+    assertThat(late.reason()).isEqualTo("the controller has not answered in time");
   }
 
   @Test

@@ -31,6 +31,8 @@ public final class RobotFeed implements Closeable {
   /** A value is stale this long after the time of its next reading. */
   private static final Duration GRACE = Duration.ofSeconds(1);
 
+  private static final String LATE = "the controller has not answered in time";
+
   /** The samples that can wait for a listener. It must not block, so few do. */
   private static final int BUFFER = 16;
 
@@ -58,24 +60,31 @@ public final class RobotFeed implements Closeable {
       this.deadBand = new DeadBand(variable.deadBand(), false);
     }
 
-    /** Stores a value, and returns its update if it must be passed on. */
-    @Nullable Update good(KrlValue now, Instant readAt) {
+    /**
+     * Stores a value, and returns its update if it must be passed on. A value that was read long
+     * before its sample was complete is stale.
+     *
+     * @param readNanos when it was read, by {@link System#nanoTime}
+     */
+    @Nullable Update read(KrlValue now, Instant readAt, long readNanos) {
+      nanos = readNanos;
+      boolean late = isLate(System.nanoTime());
+      Quality current = late ? Quality.STALE : Quality.GOOD;
       KrlValue before = passedOn;
       boolean isNew =
-          quality != Quality.GOOD
+          quality != current
               || before == null
               || !variable.onChange()
               || deadBand.differs(before, now);
       value = now;
       time = readAt;
-      nanos = System.nanoTime();
-      quality = Quality.GOOD;
-      reason = "";
+      quality = current;
+      reason = late ? LATE : "";
       if (!isNew) {
         return null;
       }
       passedOn = now;
-      return new Update(variable, readAt, Quality.GOOD, now, "");
+      return new Update(variable, readAt, current, now, reason);
     }
 
     /** Stores that there is no value, and returns the update the first time. */
@@ -95,8 +104,11 @@ public final class RobotFeed implements Closeable {
     }
 
     boolean isOverdue(long now) {
-      return quality == Quality.GOOD
-          && now - nanos > variable.period().multipliedBy(2).plus(GRACE).toNanos();
+      return quality == Quality.GOOD && isLate(now);
+    }
+
+    private boolean isLate(long now) {
+      return now - nanos > variable.period().multipliedBy(2).plus(GRACE).toNanos();
     }
   }
 
@@ -224,14 +236,16 @@ public final class RobotFeed implements Closeable {
   }
 
   private void take(Sample sample) {
+    long start = System.nanoTime() - sample.duration().toNanos();
     List<Update> updates = new ArrayList<>();
     synchronized (this) {
       sample
           .readings()
           .forEach(
               (read, reading) -> {
+                long offset = offset(sample, reading);
                 for (PlannedVariable variable : plan.readBy(read)) {
-                  Update update = update(held.get(variable.key()), reading);
+                  Update update = update(held.get(variable.key()), reading, start + offset);
                   if (update != null) {
                     updates.add(update);
                   }
@@ -243,7 +257,18 @@ public final class RobotFeed implements Closeable {
     }
   }
 
-  private static @Nullable Update update(@Nullable Held one, Sample.Reading reading) {
+  /** Returns how long after the beginning of its sample a variable was read. */
+  private static long offset(Sample sample, Sample.Reading reading) {
+    // the clock may have been changed in between
+    Duration offset = Duration.between(sample.time(), reading.time());
+    return offset.isNegative()
+        ? 0
+        : (offset.compareTo(sample.duration()) < 0 ? offset : sample.duration()).toNanos();
+  }
+
+  /** Stores a reading, which began at a time by {@link System#nanoTime}. */
+  private static @Nullable Update update(
+      @Nullable Held one, Sample.Reading reading, long readNanos) {
     if (one == null) {
       return null;
     }
@@ -251,7 +276,7 @@ public final class RobotFeed implements Closeable {
     if (whole != null) {
       KrlValue part = one.variable.in(whole).orElse(null);
       return part != null
-          ? one.good(part, reading.time())
+          ? one.read(part, reading.time(), readNanos)
           : one.without(
               Quality.BAD, one.variable.read() + " has no such field now", reading.time());
     }
@@ -268,7 +293,7 @@ public final class RobotFeed implements Closeable {
     Instant time = Instant.now();
     synchronized (this) {
       passOn(
-          one -> one.without(Quality.STALE, "the controller has not answered in time", time),
+          one -> one.without(Quality.STALE, LATE, time),
           held.values().stream().filter(one -> one.isOverdue(now)).toList());
     }
   }

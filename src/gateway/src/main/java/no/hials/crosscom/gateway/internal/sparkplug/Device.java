@@ -71,17 +71,22 @@ final class Device {
     for (Update update : updates) {
       PlannedVariable variable = update.variable();
       KrlValue value = update.value();
-      if (update.quality() == Quality.GOOD && value != null) {
-        known.add(variable.key());
+      if (value != null) {
+        boolean read = update.quality() == Quality.GOOD;
         Set<DeviceMetric> present = new HashSet<>();
         for (Leaf leaf : Leaf.of(variable.key(), value)) {
           DeviceMetric metric = metric(leaf, variable);
-          changed |= metric.take(leaf, update.time());
+          // a late value is stale; a value from before the connection was lost is no new reading
+          read |= !metric.isOf(update.time());
+          changed |= metric.take(leaf, update.time(), update.quality());
           present.add(metric);
           touched.add(metric);
         }
+        if (read) {
+          known.add(variable.key());
+        }
         for (DeviceMetric metric : metrics.values()) {
-          if (metric.isOf(variable.key()) && metric.isGood() && !present.contains(metric)) {
+          if (metric.isOf(variable.key()) && !metric.isBad() && !present.contains(metric)) {
             // a field that the value no longer has
             metric.without(Quality.BAD, update.time());
             touched.add(metric);

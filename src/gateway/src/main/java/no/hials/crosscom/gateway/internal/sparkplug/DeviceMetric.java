@@ -65,8 +65,13 @@ final class DeviceMetric {
     return type;
   }
 
-  boolean isGood() {
-    return quality == Quality.GOOD;
+  boolean isBad() {
+    return quality == Quality.BAD;
+  }
+
+  /** Returns whether its value is of a reading at a time. */
+  boolean isOf(Instant readAt) {
+    return time.equals(readAt);
   }
 
   boolean isOf(String key) {
@@ -74,26 +79,26 @@ final class DeviceMetric {
   }
 
   /** Sets the value, and returns whether its type has changed. */
-  boolean take(Leaf leaf, Instant readAt) {
-    KrlValue now = leaf.value();
-    MetricDataType next = type(now);
+  boolean take(Leaf leaf, Instant readAt, Quality now) {
+    KrlValue read = leaf.value();
+    MetricDataType next = type(read);
     // a controller can print a REAL without a decimal point
-    if (now instanceof KrlInt && type.equals(MetricDataType.Float)) {
+    if (read instanceof KrlInt && type.equals(MetricDataType.Float)) {
       next = type;
     }
     boolean other = !type.equals(next);
     type = next;
     if (type.equals(MetricDataType.Float)) {
-      value = (float) now.asDouble();
-    } else if (now instanceof KrlInt number) {
+      value = (float) read.asDouble();
+    } else if (read instanceof KrlInt number) {
       value = number.value();
-    } else if (now instanceof KrlBool bool) {
+    } else if (read instanceof KrlBool bool) {
       value = bool.value();
     } else {
       value = leaf.text();
     }
     time = readAt;
-    become(Quality.GOOD);
+    become(now);
     return other;
   }
 

@@ -104,4 +104,24 @@ class DeviceTest {
 
     assertThat(device.birth()).extracting(Metric::getValue).containsExactly(3f, 4f);
   }
+
+  @Test
+  void aLateValueIsStaleButReplacesTheOneBefore() throws Exception {
+    take("{X 1.0}");
+
+    List<DeviceMetric> touched = take("S", Quality.STALE, KrlValue.parse("{X 2.0}"));
+
+    assertThat(touched).extracting(DeviceMetric::name).containsExactly("S.X");
+    assertThat(birthOf("S.X").getValue()).isEqualTo(2f);
+    assertThat(property(birthOf("S.X"), "Quality")).isEqualTo(500);
+  }
+
+  @Test
+  void aFieldOfTheStoreThatItsStructureHasNoMoreIsBad() throws Exception {
+    device.fromStore("S.Y", MetricDataType.Float);
+
+    take("{X 1.0}");
+
+    assertThat(property(birthOf("S.Y"), "Quality")).isEqualTo(0);
+  }
 }

@@ -290,14 +290,41 @@ class SparkplugIT extends BrokerTest {
             assertThat(lost).isGreaterThanOrEqualTo(3);
             assertThat(lines.get())
                 .contains(
-                    "MQTT sparkplug: the stored messages are forwarded, but %.0f of them are lost: their robot or value is no longer there"
+                    "MQTT sparkplug: the stored messages are forwarded, but %.0f of them or of their values are lost: the robot or value is no longer there, or has another type"
                         .formatted(lost));
           });
     }
   }
 
+  @Test
+  void storedValuesWhoseMetricHasAnotherTypeNowAreCounted() throws Exception {
+    broker = Mosquitto.open(folder);
+    broker.kill();
+    robot.variables().declare("COUNTER", "REAL", "4.5");
+    Gateway before = start(READ + mqtt(broker, NODE));
+    await(() -> hasCounter(before.robots().get(0), "4.5"));
+    robot.variables().set("COUNTER", "5.5");
+    await(() -> hasCounter(before.robots().get(0), "5.5"));
+    before.close();
+    robot.variables().declare("COUNTER", "INT", "9");
+    withLog(
+        lines -> {
+          Gateway after = start(READ + mqtt(broker, NODE));
+          await(() -> hasCounter(after.robots().get(0), "9"));
+          broker.start();
+          await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
+
+          assertThat(figure(after, "mqtt_messages_dropped")).isEqualTo(2);
+          assertThat(lines.get())
+              .contains(
+                  "MQTT sparkplug: the stored messages are forwarded, but 2 of them or of their values are lost: the robot or value is no longer there, or has another type");
+        });
+  }
+
   private static boolean hasCounter(RobotFeed feed, String value) {
-    return feed.lastValue("COUNTER").filter(it -> it.print().equals(value)).isPresent();
+    return feed.lastValue("COUNTER")
+        .filter(it -> it.asDouble() == Double.parseDouble(value))
+        .isPresent();
   }
 
   private static Mqtt5Publish rebirth() {

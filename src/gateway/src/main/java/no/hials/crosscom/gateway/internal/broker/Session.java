@@ -160,10 +160,14 @@ public final class Session implements AutoCloseable {
     send(message, new Outgoing(null, stored));
   }
 
-  /** Drops and counts a stored message that can no longer be published. */
-  public void dropStored(StoredMessage stored) {
-    figures.dropped("unknown", 1);
-    droppedStored++;
+  /** Counts stored messages or values that can no longer be published. */
+  public void lost(String reason, int number) {
+    figures.dropped(reason, number);
+    droppedStored += number;
+  }
+
+  /** Removes a stored message that is not published. */
+  public void skipStored(StoredMessage stored) {
     Outgoing one = new Outgoing(null, stored);
     one.done = true;
     inFlight.add(one);
@@ -310,7 +314,8 @@ public final class Session implements AutoCloseable {
         }
       } catch (IllegalArgumentException e) {
         LOG.warn("MQTT {}: a stored message cannot be published: {}", name, e.getMessage());
-        dropStored(next);
+        lost("unknown", 1);
+        skipStored(next);
       }
       busy = true;
     }
@@ -320,8 +325,8 @@ public final class Session implements AutoCloseable {
         LOG.info("MQTT {}: all stored messages are forwarded", name);
       } else {
         LOG.warn(
-            "MQTT {}: the stored messages are forwarded, but {} of them are lost:"
-                + " their robot or value is no longer there",
+            "MQTT {}: the stored messages are forwarded, but {} of them or of their"
+                + " values are lost: the robot or value is no longer there, or has another type",
             name,
             droppedStored);
       }

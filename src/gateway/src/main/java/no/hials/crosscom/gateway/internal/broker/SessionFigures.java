@@ -13,7 +13,7 @@ final class SessionFigures {
    * shows as an increase.
    */
   private static final List<String> REASONS =
-      List.of("damaged", "disk", "error", "full", "queue", "refused", "unknown");
+      List.of("damaged", "disk", "error", "full", "queue", "refused", "type", "unknown");
 
   private final String name;
   private final Counter dropped;

@@ -200,6 +200,7 @@ public final class SparkplugTraffic implements Traffic {
       return false; // the gateway is starting the robot
     }
     List<Metric> metrics = new ArrayList<>();
+    int otherTypes = 0;
     if (device != null) {
       for (Metric old : Payloads.decode(message.payload())) {
         DeviceMetric known = device.fromStore(old.getName(), old.getDataType());
@@ -211,11 +212,15 @@ public final class SparkplugTraffic implements Traffic {
                       .timestamp(old.getTimestamp())
                       .isHistorical(true)
                       .properties(old.getProperties())));
+        } else {
+          otherTypes++;
         }
       }
     }
+    session.lost("type", otherTypes);
     if (device == null || metrics.isEmpty()) {
-      session.dropStored(message);
+      session.lost("unknown", otherTypes > 0 ? 0 : 1);
+      session.skipStored(message);
       return true;
     }
     if (!device.isBorn() || device.isChanged()) {

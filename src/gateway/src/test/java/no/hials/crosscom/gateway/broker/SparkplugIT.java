@@ -389,6 +389,7 @@ class SparkplugIT extends BrokerTest {
               false,
               "",
               null,
+              null,
               null);
       Consumer<Received> receiver = traffic.subscriptions().get(0).receiver();
       for (int i = 0; i < 50; i++) {

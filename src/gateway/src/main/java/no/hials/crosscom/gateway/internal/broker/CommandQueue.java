@@ -10,8 +10,10 @@ import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.internal.writing.Pauses;
 import no.hials.crosscom.gateway.internal.writing.RobotThreads;
 import no.hials.crosscom.protocol.value.KrlString;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -24,6 +26,8 @@ public final class CommandQueue implements AutoCloseable {
   private static final int LONGEST_VALUE = 4096;
 
   private static final String TOO_LATE = "not executed: " + RobotThreads.TOO_LATE;
+  private static final String EXPIRED =
+      "not executed: it expired while it waited for others to end";
   private static final String ENDS = "not executed: the gateway ends";
 
   /** The time for the answers to commands when the gateway ends. */
@@ -31,18 +35,20 @@ public final class CommandQueue implements AutoCloseable {
 
   private final GatewayContext context;
   private final LongSupplier nanoTime;
+  private final Pauses pauses;
   private final Counter counter;
   private final RobotThreads threads = new RobotThreads("mqtt-commands-");
   private volatile boolean closed;
 
   /** Creates a queue that writes with the permissions of the gateway. */
   public CommandQueue(GatewayContext context) {
-    this(context, System::nanoTime);
+    this(context, System::nanoTime, Pauses.start());
   }
 
-  CommandQueue(GatewayContext context, LongSupplier nanoTime) {
+  CommandQueue(GatewayContext context, LongSupplier nanoTime, Pauses pauses) {
     this.context = context;
     this.nanoTime = nanoTime;
+    this.pauses = pauses;
     this.counter =
         context.health().counter("mqtt_commands", "Commands from topics, by result", "result");
     List.of("done", "failed", "refused").forEach(counter::initLabelValues);
@@ -60,10 +66,16 @@ public final class CommandQueue implements AutoCloseable {
    *
    * @param who the sender, for the audit log
    * @param value the value as KRL writes it; a text without quotes if the variable has a text
+   * @param expiry how long the command may wait; null if it does not tell
    * @param result called with {@code done} or the reason, at once if the command is refused
    */
   public void execute(
-      String who, String robot, String variable, String value, Consumer<String> result) {
+      String who,
+      String robot,
+      String variable,
+      String value,
+      @Nullable Duration expiry,
+      Consumer<String> result) {
     if (closed) {
       result.accept(refused(who, robot, variable, ENDS));
       return;
@@ -79,11 +91,20 @@ public final class CommandQueue implements AutoCloseable {
               who, robot, variable, "the value has more than " + LONGEST_VALUE + " characters"));
       return;
     }
-    long latest = nanoTime.getAsLong() + RobotThreads.LONGEST_WAIT.toNanos();
+    if (pauses.isJustOver()) {
+      result.accept(refuse(who, feed, variable, value, "not executed: " + Pauses.REASON));
+      return;
+    }
+    Duration longest =
+        expiry != null && expiry.compareTo(RobotThreads.LONGEST_WAIT) < 0
+            ? expiry
+            : RobotThreads.LONGEST_WAIT;
+    long latest = nanoTime.getAsLong() + longest.toNanos();
+    String late = longest.equals(RobotThreads.LONGEST_WAIT) ? TOO_LATE : EXPIRED;
     try {
       threads
           .of(robot)
-          .execute(() -> result.accept(executeNow(who, feed, variable, value, latest)));
+          .execute(() -> result.accept(executeNow(who, feed, variable, value, latest, late)));
     } catch (RejectedExecutionException e) {
       result.accept(
           refused(
@@ -95,15 +116,20 @@ public final class CommandQueue implements AutoCloseable {
   }
 
   private String executeNow(
-      String who, RobotFeed feed, String variable, String value, long latest) {
+      String who, RobotFeed feed, String variable, String value, long latest, String late) {
     if (closed) {
-      return refused(who, feed.name(), variable, ENDS);
+      return refuse(who, feed, variable, value, ENDS);
     }
     if (nanoTime.getAsLong() - latest > 0) {
-      context.writes().refused(who, feed, variable, value, TOO_LATE);
-      return refused(who, feed.name(), variable, TOO_LATE);
+      return refuse(who, feed, variable, value, late);
     }
     return write(who, feed, variable, value);
+  }
+
+  /** Counts and returns a refusal, with a line in the audit log. */
+  private String refuse(String who, RobotFeed feed, String variable, String value, String reason) {
+    context.writes().refused(who, feed, variable, value, reason);
+    return refused(who, feed.name(), variable, reason);
   }
 
   private String write(String who, RobotFeed feed, String variable, String value) {
@@ -129,6 +155,7 @@ public final class CommandQueue implements AutoCloseable {
   @Override
   public void close() {
     closed = true;
+    pauses.close();
     threads.end(LONGEST_END);
   }
 }

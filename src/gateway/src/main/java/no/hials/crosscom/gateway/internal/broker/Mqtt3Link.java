@@ -70,6 +70,7 @@ final class Mqtt3Link implements Link {
                         message.isRetain(),
                         "",
                         null,
+                        null,
                         null)))
         .send();
   }

@@ -13,7 +13,9 @@ import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5PublishBuilder;
 import com.hivemq.client.mqtt.mqtt5.message.subscribe.Mqtt5RetainHandling;
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import java.util.Objects;
+import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -83,13 +85,15 @@ final class Mqtt5Link implements Link {
             .map(property -> property.getValue().toString())
             .findFirst()
             .orElse("");
+    OptionalLong expiry = message.getMessageExpiryInterval();
     return new Received(
         message.getTopic().toString(),
         ByteBuffer.wrap(message.getPayloadAsBytes()),
         message.isRetain(),
         sender,
         message.getResponseTopic().map(Object::toString).orElse(null),
-        message.getCorrelationData().orElse(null));
+        message.getCorrelationData().orElse(null),
+        expiry.isPresent() ? Duration.ofSeconds(expiry.getAsLong()) : null);
   }
 
   @Override

@@ -1,6 +1,7 @@
 package no.hials.crosscom.gateway.internal.broker;
 
 import java.nio.ByteBuffer;
+import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -10,6 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param sender the name that the client claims; empty without one
  * @param responseTopic the topic for the answer, with MQTT 5 only
  * @param correlation the data that the answer repeats, with MQTT 5 only
+ * @param expiry what remains of its time, with MQTT 5 only; null if it does not expire
  */
 public record Received(
     String topic,
@@ -17,4 +19,5 @@ public record Received(
     boolean retained,
     String sender,
     @Nullable String responseTopic,
-    @Nullable ByteBuffer correlation) {}
+    @Nullable ByteBuffer correlation,
+    @Nullable Duration expiry) {}

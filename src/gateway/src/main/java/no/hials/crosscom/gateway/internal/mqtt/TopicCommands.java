@@ -68,7 +68,13 @@ final class TopicCommands {
     if (refusal == null) {
       try {
         String value = value(text);
-        commands.execute(who, robot, variable, value, result -> answer(message, value, result));
+        commands.execute(
+            who,
+            robot,
+            variable,
+            value,
+            message.expiry(),
+            result -> answer(message, value, result));
         return;
       } catch (IllegalArgumentException e) {
         refusal = String.valueOf(e.getMessage());

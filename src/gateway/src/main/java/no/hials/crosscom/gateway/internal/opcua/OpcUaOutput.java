@@ -76,10 +76,10 @@ final class OpcUaOutput implements Output {
             context
                 .health()
                 .counter("opcua_logins_refused", "Log-ins that the OPC UA server has refused"));
-    writes = new RobotWrites(context);
     sessions = context.health().gauge("opcua_sessions", "Sessions of OPC UA clients");
     port = freePort();
     pki = Pki.open(context.folder().resolve("opcua").resolve("pki"), settings.host());
+    writes = new RobotWrites(context);
     server =
         new OpcUaServer(
             config(),

@@ -15,6 +15,7 @@ import no.hials.crosscom.CrossComTimeoutException;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.GatewayContext;
+import no.hials.crosscom.gateway.internal.writing.Pauses;
 import no.hials.crosscom.gateway.internal.writing.RobotThreads;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
@@ -33,6 +34,7 @@ final class RobotWrites {
 
   private final GatewayContext context;
   private final LongSupplier nanoTime;
+  private final Pauses pauses;
   private final Counter results;
   private final RobotThreads threads = new RobotThreads("opcua-write-");
   private volatile boolean closed;
@@ -42,17 +44,21 @@ final class RobotWrites {
    *
    * @param who the user, for the audit log
    * @param latest the time up to which its writes may begin
+   * @param givenUp the time at which the client stops waiting for the answer
    * @param isWanted whether its session still exists
+   * @param afterPause whether it arrived after a pause of the gateway, so that its age is unknown
    */
-  record Request(String who, long latest, BooleanSupplier isWanted) {}
+  record Request(
+      String who, long latest, long givenUp, BooleanSupplier isWanted, boolean afterPause) {}
 
   RobotWrites(GatewayContext context) {
-    this(context, System::nanoTime);
+    this(context, System::nanoTime, Pauses.start());
   }
 
-  RobotWrites(GatewayContext context, LongSupplier nanoTime) {
+  RobotWrites(GatewayContext context, LongSupplier nanoTime, Pauses pauses) {
     this.context = context;
     this.nanoTime = nanoTime;
+    this.pauses = pauses;
     results =
         context
             .health()
@@ -60,12 +66,20 @@ final class RobotWrites {
     List.of("done", "failed", "refused", "unknown").forEach(results::initLabelValues);
   }
 
-  /** Returns a request that was received now. */
-  Request request(User user, BooleanSupplier isWanted) {
+  /**
+   * Returns a request that was received now.
+   *
+   * @param timeout how long the client waits for its answer; zero if it does not tell
+   */
+  Request request(User user, Duration timeout, BooleanSupplier isWanted) {
+    long now = nanoTime.getAsLong();
+    long latest = now + RobotThreads.LONGEST_WAIT.toNanos();
     return new Request(
         "opcua:" + user.name(),
-        nanoTime.getAsLong() + RobotThreads.LONGEST_WAIT.toNanos(),
-        isWanted);
+        latest,
+        timeout.isZero() ? latest : now + timeout.toNanos(),
+        isWanted,
+        pauses.isJustOver());
   }
 
   /** Writes a value, waits for the result, and returns its status. */
@@ -113,9 +127,18 @@ final class RobotWrites {
       refuse(request, robot, variable, text, "not written: the session of the client has ended");
       return StatusCodes.Bad_SessionClosed;
     }
-    if (nanoTime.getAsLong() - request.latest() > 0) {
+    if (request.afterPause()) {
+      refuse(request, robot, variable, text, "not written: " + Pauses.REASON);
+      return StatusCodes.Bad_RequestTimeout;
+    }
+    long now = nanoTime.getAsLong();
+    if (now - request.latest() > 0) {
       refuse(request, robot, variable, text, TOO_LATE);
       return StatusCodes.Bad_TooManyOperations;
+    }
+    if (now - request.givenUp() > 0) {
+      refuse(request, robot, variable, text, "not written: the client no longer waits for it");
+      return StatusCodes.Bad_RequestTimeout;
     }
     try {
       context.writes().write(request.who(), context.plant(), robot, variable, text);
@@ -173,6 +196,7 @@ final class RobotWrites {
   /** Refuses all writes from now on. */
   void close() {
     closed = true;
+    pauses.close();
     threads.end(Duration.ZERO);
   }
 }

@@ -1,5 +1,6 @@
 package no.hials.crosscom.gateway.internal.opcua;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -123,7 +124,11 @@ final class RobotsNamespace extends StaticNamespace {
   public List<StatusCode> write(WriteContext context, List<WriteValue> values) {
     Session session = context.getSession().orElse(null);
     User user = session == null ? User.ANONYMOUS : Users.of(session);
-    RobotWrites.Request request = writes.request(user, () -> session != null && exists(session));
+    RobotWrites.Request request =
+        writes.request(
+            user,
+            Duration.ofMillis(context.getTimeoutHint().longValue()),
+            () -> session != null && exists(session));
     List<StatusCode> results = new ArrayList<>();
     for (WriteValue value : values) {
       results.add(new StatusCode(write(request, user, value)));

@@ -305,7 +305,7 @@ public final class SparkplugTraffic implements Traffic {
         String unused = executor.refused(who, robot, name, String.valueOf(refusal));
       } else {
         String text = value instanceof Boolean bool ? (bool ? "TRUE" : "FALSE") : value.toString();
-        executor.execute(who, robot, name, text, result -> {});
+        executor.execute(who, robot, name, text, message.expiry(), result -> {});
       }
     }
   }

@@ -18,6 +18,7 @@ import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.Health;
 import no.hials.crosscom.gateway.Latches;
 import no.hials.crosscom.gateway.OneRobotContext;
+import no.hials.crosscom.gateway.internal.writing.Pauses;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
@@ -53,7 +54,10 @@ class CommandQueueTest {
     try (RobotFeed feed =
             RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
         CommandQueue queue =
-            new CommandQueue(new OneRobotContext(plant, feed, folder, new Health()), now::get)) {
+            new CommandQueue(
+                new OneRobotContext(plant, feed, folder, new Health()),
+                now::get,
+                new Pauses(() -> 0))) {
       executeAndLetTheNextWait(queue, results, released);
 
       now.set(Duration.ofSeconds(5).toNanos() + 1);
@@ -61,13 +65,72 @@ class CommandQueueTest {
 
       assertThat(results.take())
           .isEqualTo("not executed: it waited more than 5 s for others to end");
-      queue.execute("test", "cell1", "MYINT", "4", results::add);
+      queue.execute("test", "cell1", "MYINT", "4", null, results::add);
       assertThat(results.take()).isEqualTo("done");
     }
     assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
     assertThat(server.variables().get("MYINT")).isEqualTo("4");
     assertThat(Files.readString(folder.resolve("audit.jsonl")))
         .contains("\"after\":\"3\",\"result\":\"not executed: it waited more than 5 s");
+  }
+
+  @Test
+  void aCommandThatExpiresWhileItWaitsIsNotExecuted() throws Exception {
+    server.variables().set("MYINT", "1");
+    Plant plant = plant();
+    AtomicLong now = new AtomicLong();
+    CountDownLatch released = new CountDownLatch(1);
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (RobotFeed feed =
+            RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
+        CommandQueue queue =
+            new CommandQueue(
+                new OneRobotContext(plant, feed, folder, new Health()),
+                now::get,
+                new Pauses(() -> 0))) {
+      executeAndLetTheNextWait(queue, results, released);
+      queue.execute("test", "cell1", "MYINT", "4", Duration.ofSeconds(2), results::add);
+
+      now.set(Duration.ofSeconds(2).toNanos() + 1);
+      released.countDown();
+
+      assertThat(results.take()).isEqualTo("done");
+      assertThat(results.take())
+          .isEqualTo("not executed: it expired while it waited for others to end");
+    }
+    assertThat(server.variables().get("MYINT")).isEqualTo("3");
+  }
+
+  @Test
+  void aCommandThatArrivesAfterAPauseOfTheGatewayIsNotExecuted() throws Exception {
+    server.variables().set("MYINT", "1");
+    Plant plant = plant();
+    AtomicLong now = new AtomicLong();
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (RobotFeed feed =
+            RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
+        CommandQueue queue =
+            new CommandQueue(
+                new OneRobotContext(plant, feed, folder, new Health()),
+                now::get,
+                new Pauses(now::get))) {
+      now.addAndGet(Duration.ofSeconds(5).toNanos() + 1);
+      queue.execute("test", "cell1", "MYINT", "2", null, results::add);
+      now.addAndGet(Duration.ofSeconds(2).toNanos());
+      queue.execute("test", "cell1", "MYINT", "3", null, results::add);
+      now.addAndGet(Duration.ofSeconds(5).toNanos());
+      queue.execute("test", "cell1", "MYINT", "4", null, results::add);
+
+      String reason =
+          "not executed: the gateway was frozen for more than 5 s just before, so that nobody knows"
+              + " how old it is";
+      assertThat(results.take()).isEqualTo(reason);
+      assertThat(results.take()).isEqualTo("done");
+      assertThat(results.take()).isEqualTo("done");
+      assertThat(Files.readString(folder.resolve("audit.jsonl")))
+          .contains("\"after\":\"2\",\"result\":\"" + reason);
+    }
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
   }
 
   @Test
@@ -86,7 +149,7 @@ class CommandQueueTest {
       String refused;
       do {
         BlockingQueue<String> other = new LinkedBlockingQueue<>();
-        queue.execute("test", "cell9", "MYINT", "9".repeat(5000), other::add);
+        queue.execute("test", "cell9", "MYINT", "9".repeat(5000), null, other::add);
         refused = other.take();
       } while (!refused.endsWith("the gateway ends"));
       released.countDown();
@@ -95,6 +158,8 @@ class CommandQueueTest {
       closing.join();
     }
     assertThat(server.variables().get("MYINT")).isEqualTo("2");
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("\"after\":\"3\",\"result\":\"not executed: the gateway ends\"");
   }
 
   /** Executes a command that ends when it is released, and submits another one. */
@@ -106,11 +171,12 @@ class CommandQueueTest {
         "cell1",
         "MYINT",
         "2",
+        null,
         result -> {
           results.add(result);
           Latches.await(released);
         });
     assertThat(results.take()).isEqualTo("done");
-    queue.execute("test", "cell1", "MYINT", "3", results::add);
+    queue.execute("test", "cell1", "MYINT", "3", null, results::add);
   }
 }

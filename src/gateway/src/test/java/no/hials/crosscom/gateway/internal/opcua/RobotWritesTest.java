@@ -18,6 +18,7 @@ import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.Health;
 import no.hials.crosscom.gateway.Latches;
 import no.hials.crosscom.gateway.OneRobotContext;
+import no.hials.crosscom.gateway.internal.writing.Pauses;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
@@ -36,6 +37,10 @@ class RobotWritesTest {
   @KukaController private MockServer server;
   @TempDir private Path folder;
   private final AtomicLong now = new AtomicLong();
+
+  /** The time for the detection of pauses of the gateway. */
+  private final AtomicLong pause = new AtomicLong();
+
   private final AtomicBoolean wanted = new AtomicBoolean(true);
   private final CountDownLatch released = new CountDownLatch(1);
   private RobotFeed feed;
@@ -55,7 +60,11 @@ class RobotWritesTest {
             .formatted(server.host(), server.port());
     Plant plant = PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of());
     feed = RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
-    writes = new RobotWrites(new OneRobotContext(plant, feed, folder, new Health()), now::get);
+    writes =
+        new RobotWrites(
+            new OneRobotContext(plant, feed, folder, new Health()),
+            now::get,
+            new Pauses(pause::get));
     server.variables().set("MYINT", "1");
   }
 
@@ -67,7 +76,7 @@ class RobotWritesTest {
   }
 
   private RobotWrites.Request request() {
-    return writes.request(ANNA, wanted::get);
+    return writes.request(ANNA, Duration.ZERO, wanted::get);
   }
 
   private CompletableFuture<Long> write(RobotWrites.Request request, String value) {
@@ -124,5 +133,37 @@ class RobotWritesTest {
     assertThat(Files.readString(folder.resolve("audit.jsonl")))
         .contains(
             "\"after\":\"3\",\"result\":\"not written: the session of the client has ended\"");
+  }
+
+  @Test
+  void aWriteThatItsClientNoLongerWaitsForIsRefusedWithALineInTheAuditLog() throws Exception {
+    CompletableFuture<Long> slow = beginSlowWrite();
+    CompletableFuture<Long> next =
+        write(writes.request(ANNA, Duration.ofSeconds(1), wanted::get), "3");
+    CompletableFuture<Long> patient =
+        write(writes.request(ANNA, Duration.ofSeconds(4), wanted::get), "4");
+
+    now.set(Duration.ofSeconds(1).toNanos() + 1);
+    released.countDown();
+
+    assertThat(slow.join()).isEqualTo(StatusCodes.Good);
+    assertThat(next.join()).isEqualTo(StatusCodes.Bad_RequestTimeout);
+    assertThat(patient.join()).isEqualTo(StatusCodes.Good);
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("\"after\":\"3\",\"result\":\"not written: the client no longer waits for it\"");
+  }
+
+  @Test
+  void aWriteThatArrivesAfterAPauseOfTheGatewayIsRefusedWithALineInTheAuditLog() throws Exception {
+    pause.set(Duration.ofSeconds(5).toNanos() + 1);
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_RequestTimeout);
+
+    pause.addAndGet(Duration.ofSeconds(2).toNanos());
+    assertThat(write(request(), "4").join()).isEqualTo(StatusCodes.Good);
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains(
+            "\"after\":\"3\",\"result\":\"not written: the gateway was frozen for more than 5 s");
   }
 }

@@ -183,6 +183,10 @@ final class RobotWrites {
     if (e instanceof RefusedWriteException || e instanceof IllegalArgumentException) {
       return StatusCodes.Bad_OutOfRange;
     }
+    if (e instanceof CrossComTimeoutException) {
+      // it only waited for the readings of the robot, and was not sent
+      return StatusCodes.Bad_ResourceUnavailable;
+    }
     return e instanceof CrossComConnectException
         ? StatusCodes.Bad_NoCommunication
         : StatusCodes.Bad_DeviceFailure;

@@ -61,7 +61,9 @@ async def main(url, user=None, password=None):
             positions = []
             for axis in await of_type(axes, ua.NodeId(AXIS_TYPE, robotics)):
                 path = f"{axis.NodeId.Identifier}/ParameterSet/ActualPosition"
-                positions.append(f"{await value(client, robots, path):.1f}")
+                position = await value(client, robots, path)
+                # without a value, it is the name of the status
+                positions.append(position if isinstance(position, str) else f"{position:.1f}")
             print(name, "mode", await value(client, robots, state + "OperationalMode"), "axes", *positions)
 
         override = client.get_node(ua.NodeId(f"{systems[0].BrowseName.Name}:$OV_PRO", robots))

@@ -225,7 +225,7 @@ class OpcUaSecurityTest {
           anonymous = "no" | plant.toml:2: opcua.anonymous: must be true or false, without quotes
           users.vera.role = "chief" | opcua.users.vera.role: must be "operator" or "viewer", is chief
           users.vera.role = "viewer" | opcua.users.vera: needs a password-file or a certificate
-          users.vera.role = "viewer"; users.vera.password-file = "none.txt" | none.txt: it must be a text in UTF-8
+          users.vera.role = "viewer"; users.vera.password-file = "none.txt" | none.txt: file not found
           users.vera.role = "viewer"; users.vera.certificate = "password.txt" | password.txt: it must be a certificate in DER or PEM
           port = 4840 | plant.toml:2: opcua.port: no such key; known: address, anonymous, allow-none, users
           """)

@@ -13,6 +13,7 @@ import java.security.cert.X509Certificate;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import no.hials.crosscom.cell.FileException;
 import org.eclipse.milo.opcua.sdk.server.Session;
 import org.eclipse.milo.opcua.sdk.server.identity.AbstractIdentityValidator;
 import org.eclipse.milo.opcua.sdk.server.identity.AbstractUsernameIdentityValidator;
@@ -54,7 +55,7 @@ final class Users {
     try {
       password = Files.readString(file).lines().findFirst().orElse("");
     } catch (IOException e) {
-      throw new IOException("cannot read " + file + ": it must be a text in UTF-8", e);
+      throw FileException.cannot("read", file, e);
     }
     if (password.isBlank()) {
       throw new IOException("the first line of " + file + " must be the password, is empty");

@@ -82,7 +82,11 @@ public final class CommandQueue implements AutoCloseable {
     }
     RobotFeed feed = context.robot(robot);
     if (feed == null) {
-      result.accept(refused(who, robot, variable, "no robot is named " + robot));
+      String reason =
+          context.plant().robots().containsKey(robot)
+              ? "not executed: the gateway is starting the robot"
+              : "no robot is named " + robot;
+      result.accept(refused(who, robot, variable, reason));
       return;
     }
     if (value.length() > LONGEST_VALUE) {

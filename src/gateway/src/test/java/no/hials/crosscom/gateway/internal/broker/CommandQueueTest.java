@@ -10,11 +10,14 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PlantFile;
 import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.cell.feed.Writes;
+import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Health;
 import no.hials.crosscom.gateway.Latches;
 import no.hials.crosscom.gateway.OneRobotContext;
@@ -22,6 +25,7 @@ import no.hials.crosscom.gateway.internal.writing.Pauses;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -131,6 +135,34 @@ class CommandQueueTest {
           .contains("\"after\":\"2\",\"result\":\"" + reason);
     }
     assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
+  }
+
+  /** The parts of a gateway that has not started its robots yet. */
+  private record StartingContext(Plant plant, Path folder, Health health)
+      implements GatewayContext {
+    @Override
+    public @Nullable RobotFeed robot(String name) {
+      return null;
+    }
+
+    @Override
+    public Writes writes() {
+      return new Writes(new AuditLog(folder));
+    }
+  }
+
+  @Test
+  void aCommandForARobotThatIsBeingStartedIsRefusedForThisReason() throws Exception {
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (CommandQueue queue =
+        new CommandQueue(new StartingContext(plant(), folder, new Health()))) {
+      queue.execute("test", "cell1", "MYINT", "2", null, results::add);
+      queue.execute("test", "cell2", "MYINT", "2", null, results::add);
+    }
+
+    assertThat(results)
+        .containsExactly(
+            "not executed: the gateway is starting the robot", "no robot is named cell2");
   }
 
   @Test

@@ -35,7 +35,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the server keeps for clients that ask for much, or that do not come back. */
+/** The limits for clients that ask for much, or that do not come back. */
 @Timeout(60)
 class OpcUaSubscriptionsTest {
   @KukaController private MockServer robot;

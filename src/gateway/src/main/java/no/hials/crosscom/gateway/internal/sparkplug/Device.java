@@ -76,7 +76,7 @@ final class Device {
         Set<DeviceMetric> present = new HashSet<>();
         for (Leaf leaf : Leaf.of(variable.key(), value)) {
           DeviceMetric metric = metric(leaf, variable);
-          // a late value is stale; a value from before the connection was lost is no new reading
+          // a late value is stale, too; only one from before the loss of the robot has a known time
           read |= !metric.isOf(update.time());
           changed |= metric.take(leaf, update.time(), update.quality());
           present.add(metric);

@@ -284,6 +284,7 @@ export class SpacePath {
       it.material?.dispose();
     });
     this.renderer.dispose();
+    this.renderer.forceContextLoss(); // browsers have few contexts, and free them late
     this.canvas.remove();
     this.scale.remove();
   }

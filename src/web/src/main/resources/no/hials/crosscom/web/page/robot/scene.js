@@ -486,9 +486,12 @@ export class RobotScene {
     this.scene.traverse((it) => {
       it.geometry?.dispose();
       it.material?.map?.dispose();
+      // three.js shares this texture, which otherwise keeps each renderer that has used it
+      this.renderer.properties.get(it.material ?? it).uniforms?.dfgLUT?.value?.dispose();
       it.material?.dispose();
     });
     this.renderer.dispose();
+    this.renderer.forceContextLoss(); // browsers have few contexts, and free them late
   }
 }
 

@@ -54,6 +54,9 @@ function Lines({ name, text, pointer, main }) {
 
   const scrolled = () => {
     const element = box.current;
+    if (!element) {
+      return; // the view is being left
+    }
     setTop(element.scrollTop);
     setHeight(element.clientHeight);
     if (Math.abs(element.scrollTop - own.current) > 2) {

@@ -253,11 +253,7 @@ class ProgramsTest {
     long before = socket.clock() - 1;
     assertThat(change("program-stop")).isEmpty();
 
-    socket.send(
-        String.format(
-            "{\"id\":901,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"start\","
-                + "\"confirmed\":true,\"clock\":%d}",
-            before));
+    socket.send(start(before));
 
     assertThat(socket.await(it -> it.path("id").asInt() == 901).path("error").asText())
         .isEqualTo(
@@ -297,6 +293,55 @@ class ProgramsTest {
     assertThat(String.valueOf(lastAudit())).contains("start", "the page that sent it is gone");
   }
 
+  @Test
+  void aStartBehindAReadIsNotSentOnceTheRobotWasLockedAndUnlocked() throws Exception {
+    CountDownLatch released = new CountDownLatch(1);
+    try (TestSocket other = openAfterSelection()) {
+      CountDownLatch asked = pages.hold("MYINT", released);
+      long clock = other.clock();
+      other.send("{\"id\":900,\"do\":\"read\",\"robot\":\"mock\",\"name\":\"MYINT\"}");
+      other.send(start(clock - 1));
+      asked.await();
+
+      socket.call("lock", "robot", "'mock'", "locked", "true");
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+      released.countDown();
+
+      assertThat(other.await(it -> it.path("id").asInt() == 901).path("error").asText())
+          .endsWith("the robot was locked meanwhile; look at the robot, and try again");
+    }
+    assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
+    assertThat(change("program-order", "order", "'start'")).isEmpty();
+  }
+
+  @Test
+  void aStartThatWaitsForTheRobotIsNotSentOnceItsPageCancelsIt() throws Exception {
+    CountDownLatch released = new CountDownLatch(1);
+    try (TestSocket other = openAfterSelection()) {
+      sendStartThatWaits(other, released);
+
+      other.send("{\"id\":902,\"do\":\"withdraw\"}");
+
+      assertThat(other.await(it -> it.path("id").asInt() == 901).path("error").asText())
+          .endsWith(": it was cancelled on the page");
+      released.countDown();
+      assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
+      assertThat(
+              other
+                  .call("program-order", "robot", "'mock'", "order", "'start'", "confirmed", "true")
+                  .has("ok"))
+          .as("a later start")
+          .isTrue();
+    }
+  }
+
+  private static String start(long clock) {
+    return String.format(
+        "{\"id\":901,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"start\","
+            + "\"confirmed\":true,\"clock\":%d}",
+        clock);
+  }
+
   private TestSocket openAfterSelection() throws Exception {
     startUnlocked(ServerType.C3_BRIDGE);
     load("work.src", PROGRAM);
@@ -309,11 +354,7 @@ class ProgramsTest {
     CountDownLatch asked = pages.hold("MYINT", released);
     socket.send("{\"id\":900,\"do\":\"read\",\"robot\":\"mock\",\"name\":\"MYINT\"}");
     asked.await();
-    other.send(
-        String.format(
-            "{\"id\":901,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"start\","
-                + "\"confirmed\":true,\"clock\":%d}",
-            other.clock()));
+    other.send(start(other.clock() - 1));
     while (!isOrderWaiting()) {
       Thread.onSpinWait();
     }

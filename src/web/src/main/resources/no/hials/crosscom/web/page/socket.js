@@ -123,6 +123,11 @@ export function call(name, fields = {}) {
   });
 }
 
+/** Cancels the changes of this page that still wait for the robot; their answers say so. */
+export function withdraw() {
+  tell('withdraw');
+}
+
 /** Sends a command, such as a beat, without waiting for its answer; returns whether it was sent. */
 export function tell(name, fields = {}) {
   const message = JSON.stringify({ id: 0, do: name, ...fields });

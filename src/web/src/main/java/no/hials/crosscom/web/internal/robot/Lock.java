@@ -25,6 +25,7 @@ public final class Lock {
   private final WritePermission permission;
   private volatile @Nullable String openedBy;
   private volatile long stoppedAt = Long.MIN_VALUE;
+  private volatile long lockedAt = Long.MIN_VALUE;
 
   /** The changes that may still wait for the connection. */
   private final Set<Waiting> waiting = ConcurrentHashMap.newKeySet();
@@ -88,6 +89,12 @@ public final class Lock {
     if (call.isFromBefore(stoppedAt)) {
       return "a program of the robot was stopped meanwhile; look at the robot, and try again";
     }
+    if (call.isFromBefore(lockedAt)) { // it may be unlocked again
+      return "the robot was locked meanwhile; look at the robot, and try again";
+    }
+    if (call.isWithdrawn()) {
+      return "it was cancelled on the page";
+    }
     return call.viewer().isClosed() ? "the page that sent it is gone" : "";
   }
 
@@ -103,6 +110,7 @@ public final class Lock {
    */
   public <T extends @Nullable Object> T send(
       Call call, String what, Supplier<CompletableFuture<T>> start) throws IOException {
+    call.checkAge();
     check(call, what);
     CompletableFuture<T> change = start.get();
     Waiting own = new Waiting(call, change);
@@ -112,7 +120,7 @@ public final class Lock {
       return change.get();
     } catch (CancellationException e) {
       check(call, what);
-      throw new CommandException("did not " + what + ": the robot was locked meanwhile");
+      throw new CommandException("did not " + what + ": it was not allowed any more");
     } catch (ExecutionException e) {
       Throwable cause = e.getCause();
       if (cause instanceof IOException failure) {
@@ -173,6 +181,7 @@ public final class Lock {
 
   void close() {
     openedBy = null;
+    lockedAt = Call.now();
     cancelRefused();
   }
 

@@ -173,6 +173,7 @@ public final class RobotSessions implements AutoCloseable {
     commands.addQuick("watch", Role.VIEW, (call, answer) -> watch(call));
     commands.addQuick("unwatch", Role.VIEW, (call, answer) -> lists(call).remove(key(call)));
     commands.addQuick("visible", Role.VIEW, (call, answer) -> setVisible(call));
+    commands.addQuick("withdraw", Role.OPERATE, (call, answer) -> withdraw(call));
     commands.addQuick("lock", Role.OPERATE, (call, answer) -> setLock(call));
   }
 
@@ -196,6 +197,12 @@ public final class RobotSessions implements AutoCloseable {
     boolean hidden = !call.flag("visible");
     lists(call).hide(hidden);
     sessions.values().forEach(robot -> robot.header().pause(call.viewer(), hidden));
+  }
+
+  /** Cancels the changes that the page has sent and that still wait. */
+  private void withdraw(Call call) {
+    call.viewer().withdraw();
+    sessions.values().forEach(robot -> robot.lock().cancelRefused());
   }
 
   private void setLock(Call call) throws IOException {

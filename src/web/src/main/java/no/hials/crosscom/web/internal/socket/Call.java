@@ -40,7 +40,7 @@ public record Call(Viewer viewer, JsonNode message) {
     if (!clock.isIntegralNumber() || !clock.canConvertToLong() || clock.longValue() > now) {
       throw new CommandException("clock must be that of an answer");
     }
-    if (clock.longValue() < now - MAX_AGE) {
+    if (clock.longValue() < Math.max(0, now - MAX_AGE)) {
       throw new CommandException(
           "not done: it waited too long, in the network or behind other commands");
     }
@@ -50,6 +50,11 @@ public record Call(Viewer viewer, JsonNode message) {
   public boolean isFromBefore(long time) {
     JsonNode clock = message.path("clock");
     return clock.isIntegralNumber() && clock.longValue() < time;
+  }
+
+  /** Returns whether the page has cancelled what it sent before. */
+  public boolean isWithdrawn() {
+    return isFromBefore(viewer.withdrawnAt());
   }
 
   /** Returns a text of at most 4096 characters. */

@@ -44,6 +44,7 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   private final Semaphore overtaking = new Semaphore(MAX_OVERTAKING);
   private volatile @Nullable Session session;
   private volatile boolean closed;
+  private volatile long withdrawnAt = Long.MIN_VALUE;
 
   // guarded by this
   private final Queue<JsonNode> waiting = new ArrayDeque<>();
@@ -79,6 +80,16 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   /** Returns whether the socket is closed. */
   public boolean isClosed() {
     return closed;
+  }
+
+  /** Marks the changes that the page has sent until now as cancelled by it. */
+  public void withdraw() {
+    withdrawnAt = Call.now();
+  }
+
+  /** Returns the time of the last {@link #withdraw}, by {@link Call#now}. */
+  long withdrawnAt() {
+    return withdrawnAt;
   }
 
   /** Runs a task when the socket is closed; at once if it is closed already. */

@@ -1,8 +1,9 @@
 // The dialog before a change: the robot, the effect of the change, and its warning.
 
 import { h } from 'preact';
-import { useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { Dialog } from '../dialog.js';
+import { withdraw } from '../socket.js';
 import { header, mayWrite, note, state } from '../state.js';
 
 /**
@@ -14,14 +15,27 @@ import { header, mayWrite, note, state } from '../state.js';
 export function Confirm({ asked, onClose }) {
   const [busy, setBusy] = useState(false);
   const [error, setError] = useState('');
+  const closed = useRef(false);
+  const close = () => {
+    closed.current = true;
+    if (busy) {
+      withdraw();
+    }
+    onClose();
+  };
   const submit = async (event) => {
     event.preventDefault();
     setBusy(true);
     setError('');
     try {
       note('done', await asked.work());
-      onClose();
+      if (!closed.current) {
+        onClose();
+      }
     } catch (e) {
+      if (closed.current) {
+        note('error', e.message);
+      }
       setError(e.message);
     }
     setBusy(false);
@@ -29,7 +43,7 @@ export function Confirm({ asked, onClose }) {
   const facts = [['Robot', `${state.robot}, mode ${header().mode ?? 'unknown'}`], ...asked.facts];
   return h(
     Dialog,
-    { title: asked.title, onClose },
+    { title: asked.title, onClose: close },
     h(
       'form',
       { onSubmit: submit },
@@ -44,7 +58,7 @@ export function Confirm({ asked, onClose }) {
       h(
         'div',
         { class: 'buttons' },
-        h('button', { type: 'button', class: 'quiet', autofocus: true, onClick: onClose }, 'Cancel'),
+        h('button', { type: 'button', class: 'quiet', autofocus: true, onClick: close }, 'Cancel'),
         h('button', { class: 'main', disabled: busy || !mayWrite() }, asked.action),
       ),
     ),

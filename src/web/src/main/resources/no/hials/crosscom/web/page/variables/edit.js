@@ -1,9 +1,9 @@
 // The dialog that changes a variable: type and range, the new value, and a confirmation.
 
 import { h } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { Dialog } from '../dialog.js';
-import { call } from '../socket.js';
+import { call, withdraw } from '../socket.js';
 import { header, note, useRobot } from '../state.js';
 
 function Facts({ entry, range, constants }) {
@@ -31,6 +31,14 @@ export function Edit({ name, onClose }) {
   const [asked, setAsked] = useState(false);
   const [error, setError] = useState('');
   const [busy, setBusy] = useState(false);
+  const closed = useRef(false);
+  const close = () => {
+    closed.current = true;
+    if (busy) {
+      withdraw();
+    }
+    onClose();
+  };
   useEffect(() => {
     call('read', { robot, name })
       .then(({ text }) => {
@@ -48,6 +56,9 @@ export function Edit({ name, onClose }) {
     try {
       await work();
     } catch (e) {
+      if (closed.current && asked) {
+        note('error', e.message);
+      }
       setAsked(false);
       setError(e.message);
     }
@@ -62,7 +73,9 @@ export function Edit({ name, onClose }) {
     const fields = { robot, name, value, confirmed: true };
     const { text } = await call('write', fields);
     note('done', `${name} = ${text}`);
-    onClose();
+    if (!closed.current) {
+      onClose();
+    }
   };
   const submit = (event) => {
     event.preventDefault();
@@ -73,7 +86,7 @@ export function Edit({ name, onClose }) {
   const readOnly = known.entry?.access === 'RO';
   return h(
     Dialog,
-    { title: asked ? `Write ${name}?` : `Change ${name}`, onClose },
+    { title: asked ? `Write ${name}?` : `Change ${name}`, onClose: close },
     h(
       'form',
       { onSubmit: submit },
@@ -115,7 +128,7 @@ export function Edit({ name, onClose }) {
       h(
         'div',
         { class: 'buttons' },
-        h('button', { type: 'button', class: 'quiet', onClick: onClose }, 'Cancel'),
+        h('button', { type: 'button', class: 'quiet', onClick: close }, 'Cancel'),
         // a separate button, so that a double click on Continue does not write
         h(
           'button',

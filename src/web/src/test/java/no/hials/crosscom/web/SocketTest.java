@@ -10,6 +10,7 @@ import java.util.Random;
 import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.mock.Fault;
+import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -289,6 +290,7 @@ class SocketTest {
       value = {
         "'clock':-10000 | not done: it waited too long, in the network or behind other commands",
         "'clock':'now' | clock must be that of an answer",
+        "'clock':-1 | not done: it waited too long, in the network or behind other commands",
         "'clock':4611686018427387904 | clock must be that of an answer",
         "'clock':99999999999999999999 | clock must be that of an answer",
         "'name':'MYINT' | clock must be that of an answer"
@@ -324,6 +326,23 @@ class SocketTest {
             "confirmed",
             "true");
     assertThat(answer.has("ok")).as("%s", answer).isTrue();
+  }
+
+  @Test
+  void anotherServerBehindTheAddressIsNamed() throws Exception {
+    try (TestPages remote =
+            TestPages.startRemote(ServerType.C3_BRIDGE, folder.resolve("remote"), cfg -> {});
+        TestSocket socket = remote.open(Role.VIEW)) {
+      socket.await(it -> it.path("server").asText().startsWith("C3 Bridge"));
+      int port = remote.controller().port();
+      remote.controller().close();
+
+      try (MockServer other =
+          MockServer.start(cfg -> cfg.port(port).server(ServerType.KUKAVARPROXY))) {
+        socket.await(it -> it.path("server").asText().equals("KUKAVARPROXY"));
+        assertThat(other.port()).isEqualTo(port);
+      }
+    }
   }
 
   @Test

@@ -83,6 +83,7 @@ public final class RobotSession implements AutoCloseable {
   }
 
   private void connectionChanged(ConnectionEvent event) {
+    server = null; // it may be another one now
     header.connectionChanged(event);
     samplings.forEach(sampling -> sampling.connectionChanged(event));
   }

@@ -1,6 +1,5 @@
 package no.hials.crosscom;
 
-import java.time.Instant;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -76,8 +75,11 @@ abstract class Batch {
     /** The value that was read, if it was copied. */
     @Nullable TextAnswer answer;
 
-    /** When the request for it was sent; null if there was none, or it is not recorded. */
-    @Nullable Instant time;
+    /** Whether there was a request for it, and the following times were recorded. */
+    boolean accessed;
+
+    /** When the request for it was sent, by {@link System#nanoTime}. */
+    long sentNanos;
 
     /** How long its exchange took, in ns. */
     long nanos;
@@ -92,8 +94,9 @@ abstract class Batch {
 
     /** Records that an exchange with it has ended now. */
     void accessed(long exchangeNanos) {
+      accessed = true;
       nanos = exchangeNanos;
-      time = Instant.now().minusNanos(exchangeNanos);
+      sentNanos = System.nanoTime() - exchangeNanos;
     }
   }
 

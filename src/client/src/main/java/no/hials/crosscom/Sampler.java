@@ -81,10 +81,12 @@ final class Sampler {
    *
    * @param items the variables and their answers or failures
    * @param time when the reading began
+   * @param startNanos the same, by {@link System#nanoTime}
    * @param duration how long it took
    * @param missedBefore the number of periods missed before it, since the start of the watch
    */
-  void add(List<Item> items, Instant time, Duration duration, long missedBefore) {
+  void add(
+      List<Item> items, Instant time, long startNanos, Duration duration, long missedBefore) {
     Map<String, Reading> readings = new LinkedHashMap<>();
     ReadResults results = config.handles().isEmpty() ? ReadResults.NONE : new ReadResults();
     Set<String> changed = new HashSet<>();
@@ -104,7 +106,10 @@ final class Sampler {
       for (int i = 0; i < items.size(); i++) {
         String name = items.get(i).name();
         Watched variable = watched.get(i);
-        Reading reading = variable.reading(items.get(i), time, results);
+        Item item = items.get(i);
+        // the clock may be changed within a sample
+        Instant sent = item.accessed ? time.plusNanos(item.sentNanos - startNanos) : time;
+        Reading reading = variable.reading(item, sent, results);
         if (variable.differs(published.get(name), reading)) {
           changed.add(name);
         }
@@ -170,9 +175,8 @@ final class Sampler {
       return slot == null ? any : slot.variable();
     }
 
-    Reading reading(Item item, Instant sampleTime, ReadResults results) {
+    Reading reading(Item item, Instant time, ReadResults results) {
       CrossComException failure = item.failure;
-      Instant time = item.time == null ? sampleTime : item.time;
       Duration accessTime = Duration.ofNanos(item.nanos);
       if (failure == null) {
         try {

@@ -302,7 +302,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     private void sample(List<Item> items, Duration duration) {
       waiting = false;
       try {
-        sampler.add(items, time, duration, missedBefore);
+        sampler.add(items, time, start, duration, missedBefore);
       } catch (RuntimeException | Error e) {
         broken(e);
       }

@@ -243,7 +243,8 @@ public final class RobotFeed implements Closeable {
           .readings()
           .forEach(
               (read, reading) -> {
-                long offset = offset(sample, reading);
+                // the times of a sample are measured from its beginning: the clock does not matter
+                long offset = Duration.between(sample.time(), reading.time()).toNanos();
                 for (PlannedVariable variable : plan.readBy(read)) {
                   Update update = update(held.get(variable.key()), reading, start + offset);
                   if (update != null) {
@@ -255,15 +256,6 @@ public final class RobotFeed implements Closeable {
         listener.updated(this, updates);
       }
     }
-  }
-
-  /** Returns how long after the beginning of its sample a variable was read. */
-  private static long offset(Sample sample, Sample.Reading reading) {
-    // the clock may have been changed in between
-    Duration offset = Duration.between(sample.time(), reading.time());
-    return offset.isNegative()
-        ? 0
-        : (offset.compareTo(sample.duration()) < 0 ? offset : sample.duration()).toNanos();
   }
 
   /** Stores a reading, which began at a time by {@link System#nanoTime}. */

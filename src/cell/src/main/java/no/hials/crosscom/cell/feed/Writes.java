@@ -57,6 +57,11 @@ public final class Writes {
     add(who, robot, name, text, reason);
   }
 
+  /** Adds the line of a write to a robot that is not connected. */
+  public void refused(String who, String robot, String name, String text, String reason) {
+    audit.add(new AuditLog.Entry(who, robot, "write", name, "", text, reason));
+  }
+
   private void add(String who, RobotFeed robot, String name, String value, String result) {
     String before = robot.lastValue(name).map(KrlValue::print).orElse("");
     audit.add(new AuditLog.Entry(who, robot.name(), "write", name, before, value, result));

@@ -121,6 +121,11 @@ final class RobotWrites {
   private long writeNow(Request request, String robotName, String variable, String text) {
     RobotFeed robot = context.robot(robotName);
     if (closed || robot == null) {
+      String reason =
+          closed ? "not written: the gateway ends" : "not written: its connection was closed";
+      results.labelValues("refused").inc();
+      context.writes().refused(request.who(), robotName, variable, text, reason);
+      log(request, robotName, variable, text, reason);
       return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_NodeIdUnknown;
     }
     if (!request.isWanted().getAsBoolean()) {
@@ -150,7 +155,7 @@ final class RobotWrites {
           .labelValues(
               unknown ? "unknown" : e instanceof RefusedWriteException ? "refused" : "failed")
           .inc();
-      log(request, robot, variable, text, String.valueOf(e.getMessage()));
+      log(request, robotName, variable, text, String.valueOf(e.getMessage()));
       return status(e, unknown);
     }
   }
@@ -159,18 +164,13 @@ final class RobotWrites {
       Request request, RobotFeed robot, String variable, String text, String reason) {
     results.labelValues("refused").inc();
     context.writes().refused(request.who(), robot, variable, text, reason);
-    log(request, robot, variable, text, reason);
+    log(request, robot.name(), variable, text, reason);
   }
 
   private static void log(
-      Request request, RobotFeed robot, String variable, String text, String reason) {
+      Request request, String robot, String variable, String text, String reason) {
     LOG.warn(
-        "{}: the write {} = {} to {} failed: {}",
-        request.who(),
-        variable,
-        text,
-        robot.name(),
-        reason);
+        "{}: the write {} = {} to {} failed: {}", request.who(), variable, text, robot, reason);
   }
 
   /** Returns the status of a failure: docs/reference/opcua.md#writing. */

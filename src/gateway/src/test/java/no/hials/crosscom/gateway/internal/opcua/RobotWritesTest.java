@@ -122,6 +122,17 @@ class RobotWritesTest {
   }
 
   @Test
+  void aWriteToARobotThatIsGoneIsRefusedWithALineInTheAuditLog() throws Exception {
+    assertThat(writes.write(request(), "cell9", "MYINT", "3"))
+        .isEqualTo(StatusCodes.Bad_NodeIdUnknown);
+
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains(
+            "\"robot\":\"cell9\"",
+            "\"after\":\"3\",\"result\":\"not written: its connection was closed\"");
+  }
+
+  @Test
   void aWriteWhoseSessionHasEndedIsRefusedWithALineInTheAuditLog() throws Exception {
     CompletableFuture<Long> slow = beginSlowWrite();
     CompletableFuture<Long> next = write(request(), "3");

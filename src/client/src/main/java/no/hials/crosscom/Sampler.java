@@ -85,8 +85,7 @@ final class Sampler {
    * @param duration how long it took
    * @param missedBefore the number of periods missed before it, since the start of the watch
    */
-  void add(
-      List<Item> items, Instant time, long startNanos, Duration duration, long missedBefore) {
+  void add(List<Item> items, Instant time, long startNanos, Duration duration, long missedBefore) {
     Map<String, Reading> readings = new LinkedHashMap<>();
     ReadResults results = config.handles().isEmpty() ? ReadResults.NONE : new ReadResults();
     Set<String> changed = new HashSet<>();

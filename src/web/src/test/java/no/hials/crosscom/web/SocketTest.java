@@ -71,7 +71,7 @@ class SocketTest {
   @Test
   void anOversizedMessageEndsTheSocket() throws Exception {
     try (TestSocket socket = pages.open(Role.VIEW)) {
-      socket.send("x".repeat(300_000));
+      socket.begin("x".repeat(300_000));
 
       assertThat(socket.closeCode()).isEqualTo(1009);
     }

@@ -99,6 +99,11 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
     closed.complete(1006);
   }
 
+  /** Begins to send a text; the server may close the socket before its end. */
+  public void begin(String text) {
+    CompletableFuture<WebSocket> unused = socket.sendText(text, true);
+  }
+
   /** Sends any text. */
   public void send(String text) {
     socket.sendText(text, true).join();

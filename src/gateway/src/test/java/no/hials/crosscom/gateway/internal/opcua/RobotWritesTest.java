@@ -2,8 +2,6 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -178,33 +176,5 @@ class RobotWritesTest {
     assertThat(Files.readString(folder.resolve("audit.jsonl")))
         .contains(
             "\"after\":\"3\",\"result\":\"not written: the gateway was frozen for more than 5 s");
-  }
-
-  @Test
-  void aWriteThatOnlyWaitedForAReadingIsNoRefusalOfTheController() throws Exception {
-    CountDownLatch arrived = new CountDownLatch(1);
-    server.fault(
-        it -> {
-          arrived.countDown();
-          return true;
-        },
-        Fault.hold(released));
-    CompletableFuture<String> reading =
-        CompletableFuture.supplyAsync(
-            () -> {
-              try {
-                return feed.client().readText("MYINT");
-              } catch (IOException e) {
-                throw new UncheckedIOException(e);
-              }
-            });
-    Latches.await(arrived);
-    feed.client().setSoTimeout(100);
-
-    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_ResourceUnavailable);
-
-    released.countDown();
-    assertThat(reading.join()).isEqualTo("1");
-    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).isEmpty();
   }
 }

@@ -223,7 +223,7 @@ public final class JogCuts {
   private static final class Page implements WebSocket.Listener {
     private static final int BEAT_MILLIS = 50;
     private static final Pattern MARK = Pattern.compile("\"mark\":(\\d+)");
-    private static final Pattern CLOCK = Pattern.compile("^\\{\"id\":0,\"clock\":(\\d+)");
+    private static final Pattern CLOCK = Pattern.compile("^\\{\"id\":0,.*\"clock\":(\\d+)");
     private static final Pattern ERROR = Pattern.compile("\"error\":\"([^\"]*)\"");
 
     private final CountDownLatch decided = new CountDownLatch(1);

@@ -95,6 +95,7 @@ public final class ControlLoop implements AutoCloseable {
     Heartbeat heartbeat = new Heartbeat(channel, time, safety.watchdog());
     heartbeat.observe();
     Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
+    space.checkOther(guard);
     FeedbackAge age = new FeedbackAge(channel, time, safety);
     age.start();
     heartbeat.checkAlone(config.takeover());

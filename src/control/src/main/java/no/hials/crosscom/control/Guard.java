@@ -37,6 +37,20 @@ final class Guard {
     }
   }
 
+  /** Checks that the wrist is far enough from its singularity for a straight motion. */
+  void checkWrist(Axis axes) throws ControlRefusedException {
+    double margin = safety.wristMargin();
+    if (Math.abs(axes.a5()) < margin) {
+      throw new ControlRefusedException(
+          StopKind.SINGULARITY,
+          "A5 must be at least "
+              + number(margin)
+              + " degrees from 0, where small motions of the tool turn A4 and A6 far, is "
+              + number(axes.a5())
+              + ": move the axes first");
+    }
+  }
+
   /**
    * Checks a position against the workspace: actual positions without the margin, targets with it.
    */

@@ -2,6 +2,7 @@ package no.hials.crosscom.control;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import no.hials.crosscom.KRL.KRLVariable;
 import no.hials.crosscom.control.Space.Quantity;
 import no.hials.crosscom.control.StopReason.StopKind;
@@ -101,11 +102,16 @@ final class Runner<P> {
     List<Check> all = new ArrayList<>();
     all.add(new Check(channel.mode, () -> channel.checkMode(safety)));
     all.add(new Check(channel.program, channel::checkProgram));
-    all.add(new Check(space.otherFeedback, () -> space.checkOther(guard)));
     if (heartbeat.isOn()) {
       all.add(new Check(heartbeat.limit, heartbeat::checkLimit));
       all.add(new Check(heartbeat.seen, heartbeat::checkSeen));
     }
+    Check other = new Check(space.otherFeedback, () -> space.checkOther(guard));
+    if (space instanceof Space.Cartesian) {
+      // after each of them, since A5 can turn by 15 degrees in the interval of the checks
+      return all.stream().flatMap(it -> Stream.of(it, other)).toList();
+    }
+    all.add(2, other);
     return List.copyOf(all);
   }
 

@@ -66,6 +66,11 @@ public final class Safety {
     return options.axisMargin;
   }
 
+  /** Returns the minimum angle of A5 from 0 in Cartesian laws, degrees. */
+  public double wristMargin() {
+    return options.wristMargin;
+  }
+
   /** Returns the box in which the tool centre point must stay; null for the default. */
   public @Nullable Workspace workspace() {
     return options.workspace;
@@ -81,7 +86,7 @@ public final class Safety {
     return options.modes;
   }
 
-  /** Returns the interval at which the mode, the program state and the other feedback are read. */
+  /** Returns the interval at which the mode, the program state and the watchdog are read. */
   public Duration checkInterval() {
     return options.checkInterval;
   }
@@ -121,6 +126,7 @@ public final class Safety {
     private MotionLimits axes = new MotionLimits(30, 2, 15);
     private @Nullable AxisLimits axisLimits;
     private double axisMargin = 5;
+    private double wristMargin = 10;
     private @Nullable Workspace workspace;
     private double workspaceMargin = 10;
     private Set<OperatingMode> modes = Set.of(OperatingMode.T1);
@@ -202,6 +208,17 @@ public final class Safety {
     }
 
     /**
+     * Sets the minimum angle of A5 from 0 in Cartesian laws, 0 degrees or more; default 10. Near 0,
+     * a singularity of the wrist, a step of the tool below a millimetre can turn A4 and A6 by tens
+     * of degrees, and the robot finishes that step after it is told to stand. 0 for a robot without
+     * such a wrist.
+     */
+    public Builder wristMargin(double degrees) {
+      options.wristMargin = Checks.notNegative("wrist margin", degrees);
+      return this;
+    }
+
+    /**
      * Sets the box in {@code $BASE} in which the tool centre point must stay, for joint laws too.
      * The default is 300 mm to each side of its position at the start for Cartesian laws, and no
      * limit for joint laws.
@@ -229,8 +246,9 @@ public final class Safety {
     }
 
     /**
-     * Sets the interval at which the mode, the program state, the axes (Cartesian laws) or the
-     * position (joint laws), and the watchdog are read, 1 ms to 10 s. The default is 300 ms.
+     * Sets the interval at which the mode, the program state, the position (joint laws), and the
+     * watchdog are read, 1 ms to 10 s. The default is 300 ms. Cartesian laws read the axes three or
+     * more times in it.
      */
     public Builder checkInterval(Duration interval) {
       options.checkInterval = Checks.between("check interval", interval, MIN_TIME, MAX_TIME);

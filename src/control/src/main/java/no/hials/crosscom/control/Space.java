@@ -201,8 +201,9 @@ abstract sealed class Space<P> {
 
     @Override
     void checkOther(Guard guard) throws ControlRefusedException {
-      guard.check(
-          channel.joints(), false); // without the margin, since the target of the axes is not known
+      Axis joints = channel.joints();
+      guard.check(joints, false); // without the margin, since the target of the axes is not known
+      guard.checkWrist(joints);
     }
 
     @Override

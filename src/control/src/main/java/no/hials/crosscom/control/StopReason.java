@@ -23,6 +23,8 @@ public record StopReason(StopKind kind, String message, @Nullable Throwable caus
     STEP,
     /** An axis is outside its limits, or would be outside its limits minus the margin. */
     AXIS_LIMIT,
+    /** A5 is too near 0 for a Cartesian law: a singularity of the wrist. */
+    SINGULARITY,
     /** The tool is outside the workspace, or would be outside the workspace minus the margin. */
     WORKSPACE,
     /** The robot is too far from its target. */

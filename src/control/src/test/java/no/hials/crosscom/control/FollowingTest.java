@@ -255,7 +255,11 @@ class FollowingTest extends ControlTest {
 
     List<Trace.Cycle> cycles =
         follow(
-            oneTurn(Target.increment("MYPOS")),
+            config(
+                cfg ->
+                    cfg.duration(ONE_TURN)
+                        .target(Target.increment("MYPOS"))
+                        .safety(s -> inAutomatic(s).wristMargin(0))),
             Law.cartesianPosition(
                 s -> new Twist(0, 0, 0, 0, -4 * Math.sin(OMEGA * s.time()), 0).move(start, 1)));
 

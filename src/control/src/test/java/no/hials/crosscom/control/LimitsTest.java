@@ -1,6 +1,7 @@
 package no.hials.crosscom.control;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.io.IOException;
@@ -144,13 +145,53 @@ class LimitsTest extends ControlTest {
   }
 
   @Test
+  void theToolStopsBeforeTheWristIsSingular() throws Exception {
+    controller.place(START.with(4, 14));
+    StopReason reason =
+        runToStop("actuator.src", Law.cartesianVelocity(s -> new Twist(0, 0, 0, 0, -29, 0)));
+
+    assertThat(reason.kind()).isEqualTo(StopKind.SINGULARITY);
+    assertThat(reason.message())
+        .startsWith("A5 must be at least 10 degrees from 0, where small motions of the tool turn")
+        .endsWith(": move the axes first");
+    assertThat(controller.axes().a5()).isBetween(5.0, 10.0);
+  }
+
+  @Test
+  void aCartesianLawDoesNotStartWhereTheWristIsSingular() throws Exception {
+    controller.place(START.with(4, -9));
+    run("actuator.src");
+
+    assertThatThrownBy(
+            () -> start(config(cfg -> {}), Law.cartesianVelocity(s -> Twist.linear(1, 0, 0))))
+        .isInstanceOfSatisfying(
+            ControlRefusedException.class,
+            e -> assertThat(e.reason().kind()).isEqualTo(StopKind.SINGULARITY));
+    assertThat(writesTo("MYPOS")).isEmpty();
+  }
+
+  @Test
+  void aJointLawMovesThroughTheSingularityOfTheWrist() throws Exception {
+    controller.place(START.with(4, 12));
+    run("ext_move_axis.src");
+
+    StopReason reason =
+        runLoop(
+            config(cfg -> cfg.duration(Duration.ofSeconds(3))),
+            Law.jointVelocity(s -> Axis.ZERO.with(4, -10)));
+
+    assertThat(reason.kind()).isEqualTo(StopKind.TIME_OVER);
+    assertThat(controller.axes().a5()).isLessThan(-10);
+  }
+
+  @Test
   void withoutAWorkspaceTheToolStaysNearWhereItStarted() throws Exception {
     Frame start = position();
 
     StopReason reason =
         runToStop(
             "follow_pos.src",
-            safe(s -> s.path(100, 5, 60)),
+            safe(s -> s.path(100, 5, 60).wristMargin(0)),
             Law.cartesianPosition(s -> Twist.linear(0, 0, -90 * s.time()).move(start, 1)));
 
     assertThat(reason.kind()).isEqualTo(StopKind.WORKSPACE);

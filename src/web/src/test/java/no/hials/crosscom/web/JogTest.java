@@ -681,13 +681,15 @@ class JogTest {
     assertThat(error(answer)).startsWith("JOV_HEARTBEAT must not change before the start");
   }
 
-  @Test
-  void theLimitsOfTheLoopApply() throws Exception {
+  @ParameterizedTest
+  @CsvSource({"0,X of the workspace must be", "2,A5 must be at least 10 degrees from 0"})
+  void theLimitsOfTheLoopApply(String direction, String limit) throws Exception {
     start();
     TestSocket socket = open(Role.JOG);
     assertDone(begin(socket, "base"));
     Held held =
-        new Held(socket, "direction", "2", "positive", "false", "percent", "100", "step", "0");
+        new Held(
+            socket, "direction", direction, "positive", "false", "percent", "100", "step", "0");
 
     String end = "";
     while (end.isEmpty()) {
@@ -699,7 +701,7 @@ class JogTest {
       socket.awaitSamples("jog");
     }
 
-    assertThat(end).contains("Z of the workspace must be");
+    assertThat(end).startsWith(limit);
     assertStands(socket);
   }
 

@@ -27,6 +27,7 @@ final class DriveEnd {
       case SPEED,
           STEP,
           AXIS_LIMIT,
+          SINGULARITY,
           WORKSPACE,
           TRACKING_ERROR,
           STALLED_FEEDBACK,

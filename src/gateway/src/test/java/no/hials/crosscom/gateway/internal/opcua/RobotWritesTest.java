@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
@@ -176,5 +177,29 @@ class RobotWritesTest {
     assertThat(Files.readString(folder.resolve("audit.jsonl")))
         .contains(
             "\"after\":\"3\",\"result\":\"not written: the gateway was frozen for more than 5 s");
+  }
+
+  @Test
+  void aWriteThatOnlyWaitedForAReadingIsNoRefusalOfTheController() throws Exception {
+    CountDownLatch arrived = new CountDownLatch(1);
+    server.fault(
+        it -> {
+          boolean slow = it.name().equals("$OV_PRO");
+          if (slow) {
+            arrived.countDown();
+          }
+          return slow;
+        },
+        Fault.hold(released));
+    CrossComClient client = feed.client();
+    CompletableFuture<String> reading = client.async(it -> it.readText("$OV_PRO"));
+    Latches.await(arrived);
+    client.setSoTimeout(100); // of calls from now on
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_ResourceUnavailable);
+
+    released.countDown();
+    assertThat(reading.join()).isEqualTo("100");
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).isEmpty();
   }
 }

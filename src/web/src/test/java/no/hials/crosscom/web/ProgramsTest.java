@@ -335,6 +335,25 @@ class ProgramsTest {
     }
   }
 
+  @Test
+  void aStartThatWaitsForTheRobotIsNotSentOnceItIsTooOld() throws Exception {
+    CountDownLatch released = new CountDownLatch(1);
+    try (TestSocket other = openAfterSelection()) {
+      CountDownLatch asked = pages.hold("MYINT", released);
+      socket.send("{\"id\":900,\"do\":\"read\",\"robot\":\"mock\",\"name\":\"MYINT\"}");
+      asked.await();
+
+      other.send(start(Math.max(0, other.clock() - 3000)));
+
+      assertThat(other.await(it -> it.path("id").asInt() == 901).path("error").asText())
+          .endsWith(": it waited too long for the connection to the robot");
+    }
+    released.countDown();
+
+    assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
+    assertThat(stops()).as("all orders").isZero();
+  }
+
   private static String start(long clock) {
     return String.format(
         "{\"id\":901,\"do\":\"program-order\",\"robot\":\"mock\",\"order\":\"start\","

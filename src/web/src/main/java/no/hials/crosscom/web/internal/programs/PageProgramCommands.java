@@ -162,7 +162,7 @@ public final class PageProgramCommands {
                   cfg -> cfg.overwrite(overwrite).verification(Verification.CONTENT));
           robot
               .lock()
-              .send(
+              .upload(
                   call,
                   "upload " + path,
                   () -> robot.client().files().uploadAsync(content, path, config));

@@ -2,12 +2,14 @@ package no.hials.crosscom.web.internal.robot;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.time.Duration;
+import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ExecutionException;
 import java.util.function.Supplier;
+import no.hials.crosscom.cell.AsyncCalls;
+import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.WritePermission;
 import no.hials.crosscom.web.internal.socket.Call;
@@ -20,6 +22,8 @@ import org.jspecify.annotations.Nullable;
  * needs no unlocking. Thread-safe.
  */
 public final class Lock {
+  private static final Duration LONGEST_UPLOAD = Duration.ofHours(1);
+
   private final Robot robot;
   private final boolean readOnly;
   private final WritePermission permission;
@@ -27,8 +31,8 @@ public final class Lock {
   private volatile long stoppedAt = Long.MIN_VALUE;
   private volatile long lockedAt = Long.MIN_VALUE;
 
-  /** The changes that may still wait for the connection. */
-  private final Set<Waiting> waiting = ConcurrentHashMap.newKeySet();
+  /** The changes that may still wait for the connection; guarded by itself. */
+  private final Set<Waiting> waiting = new HashSet<>();
 
   private record Waiting(Call call, CompletableFuture<?> change) {}
 
@@ -60,9 +64,8 @@ public final class Lock {
   }
 
   /**
-   * Checks that a change is allowed: the robot is unlocked, no program was stopped since the page
-   * sent it, and the person has confirmed it ({@code "confirmed": true} in the message). Needs no
-   * connection.
+   * Checks that a change is allowed: there is no {@link #refusal}, and the person has confirmed it
+   * ({@code "confirmed": true} in the message). Needs no connection.
    *
    * @param what the operation, such as {@code write $OV_PRO}
    * @throws IOException if it is not allowed
@@ -99,37 +102,50 @@ public final class Lock {
   }
 
   /**
-   * Makes a change if it is allowed, and waits for its end. It is cancelled if the robot is locked,
-   * a program is stopped, or the page is gone before the client sends it.
+   * Makes a change if it is allowed, and waits for its end. It is cancelled if the client has not
+   * sent it when the robot is locked, a program is stopped, the page is gone, or the message of the
+   * page is too old.
    *
    * @param what the operation, as for {@link #check}
-   * @param start lets the client send one request or file in another thread; the future can be
-   *     cancelled until that is sent
+   * @param start lets the client send one request in another thread, without waiting for it; the
+   *     future can be cancelled until that is sent
    * @return the result
    * @throws IOException if it was not allowed, or failed
    */
   public <T extends @Nullable Object> T send(
       Call call, String what, Supplier<CompletableFuture<T>> start) throws IOException {
+    return send(call, what, call.timeLeft(), start);
+  }
+
+  /**
+   * Uploads a file if it is allowed, as {@link #send} does. The time of the transfer does not
+   * count: a file can be cancelled until it takes effect.
+   */
+  public <T extends @Nullable Object> T upload(
+      Call call, String what, Supplier<CompletableFuture<T>> start) throws IOException {
+    return send(call, what, LONGEST_UPLOAD, start);
+  }
+
+  private <T extends @Nullable Object> T send(
+      Call call, String what, Duration sendWithin, Supplier<CompletableFuture<T>> start)
+      throws IOException {
     call.checkAge();
-    check(call, what);
-    CompletableFuture<T> change = start.get();
-    Waiting own = new Waiting(call, change);
-    waiting.add(own);
-    cancelRefused(); // it may have been refused before it was in the map
+    Waiting own;
+    CompletableFuture<T> change;
+    // a refusal comes before the check, or finds the change among those that wait
+    synchronized (waiting) {
+      check(call, what);
+      change = start.get();
+      own = new Waiting(call, change);
+      waiting.add(own);
+    }
     try {
-      return change.get();
+      return AsyncCalls.await(change, sendWithin);
+    } catch (NotSentException e) {
+      throw new CommandException("did not " + what + ": " + e.getMessage());
     } catch (CancellationException e) {
       check(call, what);
       throw new CommandException("did not " + what + ": it was not allowed any more");
-    } catch (ExecutionException e) {
-      Throwable cause = e.getCause();
-      if (cause instanceof IOException failure) {
-        throw failure;
-      }
-      if (cause instanceof RuntimeException failure) {
-        throw failure;
-      }
-      throw new IOException(cause);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new CommandException(
@@ -137,18 +153,25 @@ public final class Lock {
               ? "did not " + what + ": the page's server ends"
               : "the page's server ends; it is not known whether it did " + what);
     } finally {
-      waiting.remove(own);
+      synchronized (waiting) {
+        waiting.remove(own);
+      }
     }
   }
 
-  /** Cancels the changes that are no longer allowed and that the client has not sent yet. */
+  /**
+   * Cancels the changes that are no longer allowed and that the client has not sent yet. Called
+   * after the reason for it is known to {@link #refusal}.
+   */
   void cancelRefused() {
-    waiting.forEach(
-        one -> {
-          if (!refusal(one.call).isEmpty()) {
-            boolean unused = one.change.cancel(false);
-          }
-        });
+    synchronized (waiting) {
+      waiting.forEach(
+          one -> {
+            if (!refusal(one.call).isEmpty()) {
+              boolean unused = one.change.cancel(false);
+            }
+          });
+    }
   }
 
   /**

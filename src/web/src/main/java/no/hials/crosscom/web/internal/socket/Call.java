@@ -1,6 +1,7 @@
 package no.hials.crosscom.web.internal.socket;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -44,6 +45,11 @@ public record Call(Viewer viewer, JsonNode message) {
       throw new CommandException(
           "not done: it waited too long, in the network or behind other commands");
     }
+  }
+
+  /** Returns the time until {@link #checkAge} refuses the command; negative if it is over. */
+  public Duration timeLeft() {
+    return Duration.ofMillis(message.path("clock").asLong() + MAX_AGE - now());
   }
 
   /** Returns whether the page had no answer of this time yet when it sent the command. */

@@ -6,7 +6,7 @@ import { changed, forgetServerTime, noteServerTime, state } from './state.js';
 const LONGEST_WAIT = 10_000;
 const PING_PERIOD = 1000;
 
-// characters: the server closes the connection at a longer message
+// bytes: the server closes the connection at a longer message
 const LONGEST_MESSAGE = 256 * 1024;
 
 // ms of silence until the page gives up the server: longer than the server accepts old commands
@@ -100,12 +100,16 @@ export function call(name, fields = {}) {
     }
     const id = ++number;
     const message = JSON.stringify({ id, do: name, clock, ...fields });
-    if (message.length > LONGEST_MESSAGE) {
-      reject(new Error(`too large: ${message.length} characters; the server takes ${LONGEST_MESSAGE}`));
+    const size = bytes(message);
+    if (size > LONGEST_MESSAGE) {
+      reject(new Error(`too large: ${size} bytes; the server takes ${LONGEST_MESSAGE}`));
       return;
     }
     const timer = setTimeout(() => {
       pending.delete(id);
+      if (fields.confirmed) {
+        withdraw();
+      }
       unanswered(`no answer to ${name} within ${LONGEST_WAIT / 1000} s`);
     }, LONGEST_WAIT);
     const unknown = fields.confirmed ? '; whether it was done is unknown: look at the robot' : '';
@@ -123,6 +127,11 @@ export function call(name, fields = {}) {
   });
 }
 
+/** Returns the size of a text in UTF-8. */
+function bytes(text) {
+  return new TextEncoder().encode(text).length;
+}
+
 /** Cancels the changes of this page that still wait for the robot; their answers say so. */
 export function withdraw() {
   tell('withdraw');
@@ -131,7 +140,7 @@ export function withdraw() {
 /** Sends a command, such as a beat, without waiting for its answer; returns whether it was sent. */
 export function tell(name, fields = {}) {
   const message = JSON.stringify({ id: 0, do: name, ...fields });
-  if (socket?.readyState !== WebSocket.OPEN || message.length > LONGEST_MESSAGE) {
+  if (socket?.readyState !== WebSocket.OPEN || bytes(message) > LONGEST_MESSAGE) {
     return false;
   }
   socket.send(message);

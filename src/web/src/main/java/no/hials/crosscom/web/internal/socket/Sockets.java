@@ -25,8 +25,8 @@ import org.eclipse.jetty.websocket.server.ServerWebSocketContainer;
 
 /** Opens the sockets of pages, and keeps track of the open sockets. */
 public final class Sockets implements Route, AutoCloseable {
-  /** The largest message of a page, large enough for a program of the robot. */
-  static final int MAX_CHARACTERS = 256 * 1024;
+  /** The largest message of a page in bytes, large enough for a program of the robot. */
+  static final int MAX_BYTES = 256 * 1024;
 
   private static final int MAX_SOCKETS = 256;
 
@@ -41,9 +41,9 @@ public final class Sockets implements Route, AutoCloseable {
 
   public Sockets(Server server, Commands commands) {
     container = ServerWebSocketContainer.ensure(server);
-    container.setMaxTextMessageSize(MAX_CHARACTERS);
+    container.setMaxTextMessageSize(MAX_BYTES);
     container.setMaxBinaryMessageSize(1);
-    container.setMaxFrameSize(MAX_CHARACTERS);
+    container.setMaxFrameSize(MAX_BYTES);
     container.setIdleTimeout(MAX_SILENCE);
     this.commands = commands;
     AtomicInteger number = new AtomicInteger();

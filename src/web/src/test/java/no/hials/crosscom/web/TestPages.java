@@ -20,8 +20,8 @@ import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.MockServerConfig;
 import no.hials.crosscom.protocol.ServerType;
+import no.hials.crosscom.simulator.KrlFileException;
 
 /** A web server with one simulated robot called {@code mock}, and browsers without a screen. */
 public final class TestPages implements AutoCloseable {
@@ -32,11 +32,17 @@ public final class TestPages implements AutoCloseable {
   private final boolean simulated;
   private MockServer controller;
 
+  /** Starts the simulated controller. */
+  @FunctionalInterface
+  private interface Simulation {
+    MockServer start(ServerType type) throws IOException;
+  }
+
   private TestPages(
       boolean simulated,
       ServerType type,
       Path folder,
-      Consumer<MockServerConfig.Builder> more,
+      Simulation simulation,
       Consumer<WebConfig.Builder> settings,
       Clock clock)
       throws IOException {
@@ -51,7 +57,7 @@ public final class TestPages implements AutoCloseable {
                         .folder(folder)
                         .opener(
                             (one, client) -> {
-                              controller = MockServer.start(it -> more.accept(it.server(type)));
+                              controller = simulation.start(type);
                               return new RobotConnection(
                                   one,
                                   RobotConnection.open(
@@ -89,7 +95,7 @@ public final class TestPages implements AutoCloseable {
   /** Starts a server with a robot. */
   public static TestPages start(ServerType type, Path folder, Consumer<WebConfig.Builder> settings)
       throws IOException {
-    return new TestPages(true, type, folder, cfg -> {}, settings, Clock.systemUTC());
+    return new TestPages(true, type, folder, TestPages::simulate, settings, Clock.systemUTC());
   }
 
   /**
@@ -97,12 +103,35 @@ public final class TestPages implements AutoCloseable {
    */
   public static TestPages startRemote(
       ServerType type, Path folder, Consumer<WebConfig.Builder> settings) throws IOException {
-    return new TestPages(false, type, folder, cfg -> {}, settings, Clock.systemUTC());
+    return new TestPages(false, type, folder, TestPages::simulate, settings, Clock.systemUTC());
+  }
+
+  /** Starts a server with such a robot on C3 Bridge that has a data list before it connects. */
+  public static TestPages startRemote(Path folder, String file, String list) throws IOException {
+    return new TestPages(
+        false,
+        ServerType.C3_BRIDGE,
+        folder,
+        type -> {
+          MockServer server = simulate(type);
+          try {
+            server.controller().load(file, list);
+          } catch (KrlFileException e) {
+            throw new IOException(e);
+          }
+          return server;
+        },
+        cfg -> {},
+        Clock.systemUTC());
+  }
+
+  private static MockServer simulate(ServerType type) throws IOException {
+    return MockServer.start(cfg -> cfg.server(type));
   }
 
   /** Starts a server with a robot on C3 Bridge, and a clock for the ends of links. */
   public static TestPages start(Path folder, Clock clock) throws IOException {
-    return new TestPages(true, ServerType.C3_BRIDGE, folder, cfg -> {}, cfg -> {}, clock);
+    return new TestPages(true, ServerType.C3_BRIDGE, folder, TestPages::simulate, cfg -> {}, clock);
   }
 
   /** Returns the simulated controller. */

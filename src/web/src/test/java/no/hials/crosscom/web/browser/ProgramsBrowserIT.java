@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.web.Role;
@@ -15,6 +16,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Programs, messages, inputs and outputs on the page. */
 @ExtendWith(WithBrowser.class)
@@ -101,6 +103,29 @@ class ProgramsBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"document.querySelector('dialog button.quiet').click()", "history.back()"})
+  void aStartThatWaitsIsCancelledWithItsDialog(String leave, Browser browser) throws Exception {
+    open(browser, ServerType.C3_BRIDGE, "io");
+    browser.run("location.hash = '#/programs'");
+    pressAndConfirm(browser, "[aria-label='Select WORK.src']", "The robot does not move yet.");
+    String start = ".interpreter.robot button.main";
+    browser.await("document.querySelector('" + start + "')?.disabled === false");
+    browser.click(start);
+    awaitText(browser, "dialog[open]", "The robot will move.");
+    CountDownLatch released = new CountDownLatch(1);
+    pages.hold("$PRO_STATE1", released).await();
+
+    browser.click("dialog button.main");
+    browser.run(leave);
+
+    awaitText(browser, ".notes", "it was cancelled on the page");
+    released.countDown();
+    browser.await(LIVE);
+    assertThat(pages.controller().variables().get("$PRO_STATE1")).isEqualTo("#P_RESET");
+  }
+
   @Test
   void aMessageIsReadAndConfirmed(Browser browser) throws Exception {
     open(browser, ServerType.C3_BRIDGE, "programs");
@@ -159,11 +184,9 @@ class ProgramsBrowserIT {
 
   @Test
   void anOutputIsFoundByTheNameOfItsSignal(Browser browser) throws Exception {
-    pages = TestPages.startRemote(ServerType.C3_BRIDGE, folder, cfg -> {});
-    pages
-        .controller()
-        .controller()
-        .load("cell.dat", "DEFDAT CELL PUBLIC\nSIGNAL PART $OUT[49] TO $OUT[56]\nENDDAT\n");
+    pages =
+        TestPages.startRemote(
+            folder, "cell.dat", "DEFDAT CELL PUBLIC\nSIGNAL PART $OUT[49] TO $OUT[56]\nENDDAT\n");
     browser.open(URI.create(pages.web().link(Role.OPERATE)));
     browser.open(pages.at("/?view=io#/io"));
 

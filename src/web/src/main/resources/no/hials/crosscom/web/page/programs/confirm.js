@@ -1,9 +1,7 @@
 // The dialog before a change: the robot, the effect of the change, and its warning.
 
 import { h } from 'preact';
-import { useRef, useState } from 'preact/hooks';
-import { Dialog } from '../dialog.js';
-import { withdraw } from '../socket.js';
+import { Dialog, useChange } from '../dialog.js';
 import { header, mayWrite, note, state } from '../state.js';
 
 /**
@@ -13,32 +11,12 @@ import { header, mayWrite, note, state } from '../state.js';
  *     the change and returns a message about it)
  */
 export function Confirm({ asked, onClose }) {
-  const [busy, setBusy] = useState(false);
-  const [error, setError] = useState('');
-  const closed = useRef(false);
-  const close = () => {
-    closed.current = true;
-    if (busy) {
-      withdraw();
-    }
-    onClose();
-  };
+  const { busy, error, close, make } = useChange(onClose);
   const submit = async (event) => {
     event.preventDefault();
-    setBusy(true);
-    setError('');
-    try {
-      note('done', await asked.work());
-      if (!closed.current) {
-        onClose();
-      }
-    } catch (e) {
-      if (closed.current) {
-        note('error', e.message);
-      }
-      setError(e.message);
+    if (await make(async () => note('done', await asked.work()))) {
+      onClose();
     }
-    setBusy(false);
   };
   const facts = [['Robot', `${state.robot}, mode ${header().mode ?? 'unknown'}`], ...asked.facts];
   return h(

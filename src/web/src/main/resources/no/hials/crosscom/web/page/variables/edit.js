@@ -1,9 +1,9 @@
 // The dialog that changes a variable: type and range, the new value, and a confirmation.
 
 import { h } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
-import { Dialog } from '../dialog.js';
-import { call, withdraw } from '../socket.js';
+import { useEffect, useState } from 'preact/hooks';
+import { Dialog, useChange } from '../dialog.js';
+import { call } from '../socket.js';
 import { header, note, useRobot } from '../state.js';
 
 function Facts({ entry, range, constants }) {
@@ -29,58 +29,40 @@ export function Edit({ name, onClose }) {
   const [value, setValue] = useState('');
   const [known, setKnown] = useState({ constants: [] });
   const [asked, setAsked] = useState(false);
-  const [error, setError] = useState('');
-  const [busy, setBusy] = useState(false);
-  const closed = useRef(false);
-  const close = () => {
-    closed.current = true;
-    if (busy) {
-      withdraw();
-    }
-    onClose();
-  };
+  const [unread, setUnread] = useState('');
+  const { busy, error, close, make } = useChange(onClose);
   useEffect(() => {
     call('read', { robot, name })
       .then(({ text }) => {
         setBefore(text);
         setValue(text);
       })
-      .catch((e) => setError(e.message));
+      .catch((e) => setUnread(e.message));
     call('describe', { robot, name })
       .then((answer) => setKnown({ constants: [], ...answer }))
       .catch(() => {});
   }, [name]);
-  const attempt = async (work) => {
-    setError('');
-    setBusy(true);
-    try {
-      await work();
-    } catch (e) {
-      if (closed.current && asked) {
-        note('error', e.message);
-      }
-      setAsked(false);
-      setError(e.message);
-    }
-    setBusy(false);
-  };
   const check = async () => {
     await call('check', { robot, name, value });
     setBefore((await call('read', { robot, name })).text);
-    setAsked(true);
   };
   const write = async () => {
     const fields = { robot, name, value, confirmed: true };
     const { text } = await call('write', fields);
     note('done', `${name} = ${text}`);
-    if (!closed.current) {
-      onClose();
-    }
   };
-  const submit = (event) => {
+  const submit = async (event) => {
     event.preventDefault();
-    if (!busy) {
-      attempt(asked ? write : check);
+    setUnread('');
+    if (busy) {
+      return;
+    }
+    if (!asked) {
+      setAsked(await make(check));
+    } else if (await make(write)) {
+      onClose();
+    } else {
+      setAsked(false);
     }
   };
   const readOnly = known.entry?.access === 'RO';
@@ -124,7 +106,7 @@ export function Edit({ name, onClose }) {
             readOnly &&
               h('p', { key: 'access', class: 'hint' }, 'Controllers do not let clients write it.'),
           ],
-      error && h('p', { class: 'failure', role: 'alert' }, error),
+      (error || unread) && h('p', { class: 'failure', role: 'alert' }, error || unread),
       h(
         'div',
         { class: 'buttons' },

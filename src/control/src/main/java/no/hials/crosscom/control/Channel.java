@@ -33,6 +33,7 @@ final class Channel {
   final KRLE6Axis axes = KRLVariable.AXIS_ACT();
   final KRLEnum mode = new KRLEnum(MODE);
   final KRLEnum program = new KRLEnum(PROGRAM);
+  final KRLInt override = new KRLInt("$OV_PRO");
   private final CrossComClient client;
   private final BooleanSupplier writeIf;
 
@@ -56,21 +57,13 @@ final class Channel {
     }
   }
 
-  /** Reads one or two variables. */
-  void read(KRLVariable variable, @Nullable KRLVariable other) throws ControlRefusedException {
-    if (other == null) {
-      read(variable);
+  /** Reads variables. */
+  void read(List<KRLVariable> variables) throws ControlRefusedException {
+    if (variables.size() == 1) {
+      read(variables.get(0));
     } else {
-      require(client.readVariables(List.of(variable, other)));
+      require(client.readVariables(variables));
     }
-  }
-
-  /** Reads two or three variables. */
-  void read(KRLVariable first, KRLVariable second, @Nullable KRLVariable third)
-      throws ControlRefusedException {
-    require(
-        client.readVariables(
-            third == null ? List.of(first, second) : List.of(first, second, third)));
   }
 
   /** Returns whether the server reads several variables in one message. */
@@ -153,6 +146,11 @@ final class Channel {
     } catch (IllegalStateException e) {
       throw failed(e);
     }
+  }
+
+  /** Returns the last override read, 0 to 1. */
+  double override() {
+    return Math.max(0, Math.min(100, override.intValue())) / 100.0;
   }
 
   /** Reads the software limits of the controller's axes. */

@@ -96,6 +96,9 @@ public final class ControlLoop implements AutoCloseable {
     heartbeat.observe();
     Guard guard = Preflight.check(channel, safety, space instanceof Space.Cartesian);
     space.checkOther(guard);
+    if (space.scalesIncrements()) {
+      channel.read(channel.override);
+    }
     FeedbackAge age = new FeedbackAge(channel, time, safety);
     age.start();
     heartbeat.checkAlone(config.takeover());
@@ -105,7 +108,17 @@ public final class ControlLoop implements AutoCloseable {
               + " it stays on after this loop, and then stops the program");
     }
     ControlLoop loop =
-        new ControlLoop(new Runner<>(config, target, channel, space, guard, heartbeat, age, time));
+        new ControlLoop(
+            new Runner<>(
+                config,
+                target,
+                channel,
+                space,
+                guard,
+                heartbeat,
+                age,
+                channel.readsTogether(),
+                time));
     LOG.debug("started control of {} every {}", target.name(), config.period());
     loop.thread.start();
     return loop;

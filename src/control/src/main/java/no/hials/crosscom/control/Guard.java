@@ -37,16 +37,24 @@ final class Guard {
     }
   }
 
-  /** Checks that the wrist is far enough from its singularity for a straight motion. */
-  void checkWrist(Axis axes) throws ControlRefusedException {
+  /**
+   * Checks that the wrist is and stays far enough from its singularity for straight motions.
+   *
+   * @param a5 the position of A5
+   * @param before its position at the last check; NaN if this is the first
+   */
+  void checkWrist(double a5, double before) throws ControlRefusedException {
     double margin = safety.wristMargin();
-    if (Math.abs(axes.a5()) < margin) {
+    // where it is at the next check, if it turns on
+    double next = Double.isNaN(before) ? a5 : 2 * a5 - before;
+    double nearest = a5 * next < 0 ? 0 : Math.min(Math.abs(a5), Math.abs(next));
+    if (nearest < margin) {
       throw new ControlRefusedException(
           StopKind.SINGULARITY,
           "A5 must be at least "
               + number(margin)
-              + " degrees from 0, where small motions of the tool turn A4 and A6 far, is "
-              + number(axes.a5())
+              + " degrees from 0, where small motions of the tool turn A4 and A6 far, "
+              + (Math.abs(a5) < margin ? "is " + number(a5) : "would be " + number(next))
               + ": move the axes first");
     }
   }

@@ -162,7 +162,7 @@ public final class PathPlayer {
     long end = time.nanoTime() + limit.toNanos();
     while (true) {
       beat(heartbeat);
-      channel.read(result, channel.program);
+      channel.read(List.of(result, channel.program));
       channel.checkProgram();
       if (result.intValue() != BUSY) {
         return result.intValue();

@@ -1,5 +1,7 @@
 package no.hials.crosscom.control;
 
+import java.util.List;
+
 /** The checks before the first motion. */
 final class Preflight {
   private Preflight() {}
@@ -13,10 +15,10 @@ final class Preflight {
   static Guard check(Channel channel, Safety safety, boolean cartesian)
       throws ControlRefusedException {
     // two at a time, so that the client detects now whether the server supports it
-    channel.read(channel.mode, channel.program);
+    channel.read(List.of(channel.mode, channel.program));
     channel.checkMode(safety);
     channel.checkProgram();
-    channel.read(channel.axes, channel.position);
+    channel.read(List.of(channel.axes, channel.position));
     AxisLimits axisLimits = safety.axisLimits();
     Workspace workspace = safety.workspace();
     if (workspace == null && cartesian) {

@@ -48,6 +48,12 @@ final class Runner<P> {
   /** The time between checks. */
   private final long checkInterval;
 
+  /** Whether there are limits of the axes in a Cartesian law, or of the tool in a joint law. */
+  private final boolean otherIsLimited;
+
+  /** Whether these are read in each cycle, in the same message. */
+  private final boolean otherEachCycle;
+
   /** The checks that take turns, one in a cycle. */
   private final List<Check> checks;
 
@@ -79,6 +85,7 @@ final class Runner<P> {
       Guard guard,
       Heartbeat heartbeat,
       FeedbackAge age,
+      boolean readsTogether,
       LoopTime time) {
     this.config = config;
     this.safety = config.safety();
@@ -90,6 +97,8 @@ final class Runner<P> {
     this.age = age;
     this.time = time;
     this.period = config.period().toNanos();
+    this.otherIsLimited = space instanceof Space.Cartesian || safety.workspace() != null;
+    this.otherEachCycle = readsTogether && otherIsLimited;
     this.checks = checks();
     this.checkInterval = safety.checkInterval().toNanos() / checks.size();
     this.meter = new Meter(space.quantities);
@@ -106,12 +115,16 @@ final class Runner<P> {
       all.add(new Check(heartbeat.limit, heartbeat::checkLimit));
       all.add(new Check(heartbeat.seen, heartbeat::checkSeen));
     }
+    if (space.scalesIncrements()) {
+      all.add(new Check(channel.override, () -> {}));
+    }
     Check other = new Check(space.otherFeedback, () -> space.checkOther(guard));
-    if (space instanceof Space.Cartesian) {
-      // after each of them, since A5 can turn by 15 degrees in the interval of the checks
+    if (!otherIsLimited) {
+      all.add(other);
+    } else if (!otherEachCycle) {
+      // after each of them, since an axis can turn by 15 degrees in the interval of the checks
       return all.stream().flatMap(it -> Stream.of(it, other)).toList();
     }
-    all.add(2, other);
     return List.copyOf(all);
   }
 
@@ -210,15 +223,24 @@ final class Runner<P> {
     // a clock with an access of its own waits for a cycle that needs no other
     boolean free = !withCheck && !beat;
     boolean withClock = age.isReadTogether() || overdue || (free && age.isDue());
-    KRLVariable checked = now == null ? null : now.variable();
+    List<KRLVariable> wanted = new ArrayList<>();
+    wanted.add(space.feedback);
     if (withClock) {
-      channel.read(space.feedback, age.clock, checked);
-    } else {
-      channel.read(space.feedback, checked);
+      wanted.add(age.clock); // just after the position
     }
+    if (otherEachCycle) {
+      wanted.add(space.otherFeedback);
+    }
+    if (now != null) {
+      wanted.add(now.variable());
+    }
+    channel.read(wanted);
     checkReading(begin);
     if (withClock) {
       age.check(space.feedback.getName());
+    }
+    if (otherEachCycle) {
+      space.checkOther(guard);
     }
     if (now != null) {
       now.verdict().check();
@@ -226,7 +248,8 @@ final class Runner<P> {
   }
 
   private Check nextCheck(long begin) {
-    nextCheck = begin + checkInterval;
+    // at fixed times: a delay by each heartbeat would keep a check at one time after heartbeats
+    nextCheck = Math.max(nextCheck + checkInterval, begin);
     check = (check + 1) % checks.size();
     return checks.get(check);
   }
@@ -288,7 +311,9 @@ final class Runner<P> {
     if (!target.increment()) {
       return space.numbers(desired);
     }
-    double[] increment = space.increment(actual, desired, config.part(space.isVelocity));
+    double part =
+        config.part(space.isVelocity) * (space.scalesIncrements() ? channel.override() : 1);
+    double[] increment = space.increment(actual, desired, part);
     if (space.cut(increment)) {
       meter.cut();
     }

@@ -246,9 +246,10 @@ public final class Safety {
     }
 
     /**
-     * Sets the interval at which the mode, the program state, the position (joint laws), and the
-     * watchdog are read, 1 ms to 10 s. The default is 300 ms. Cartesian laws read the axes three or
-     * more times in it.
+     * Sets the interval at which the mode, the program state, the override (velocity laws) and the
+     * watchdog are read, 1 ms to 10 s. The default is 300 ms. The axes (Cartesian laws) and the
+     * position (joint laws with a workspace) are read in each cycle from C3 Bridge, and after each
+     * of these variables from KUKAVARPROXY.
      */
     public Builder checkInterval(Duration interval) {
       options.checkInterval = Checks.between("check interval", interval, MIN_TIME, MAX_TIME);

@@ -128,6 +128,15 @@ abstract sealed class Space<P> {
     return Axis.of(numbers);
   }
 
+  /**
+   * Returns whether the override applies to increments, as it does to all speeds on the controller:
+   * otherwise the robot would need too long for the steps that are planned when it is told to
+   * stand.
+   */
+  final boolean scalesIncrements() {
+    return isVelocity && followed.increment();
+  }
+
   /** Returns the variable that the program follows. */
   abstract KRLVariable target();
 
@@ -167,6 +176,7 @@ abstract sealed class Space<P> {
     private static final int TURN = 3;
 
     private final KRLFrame target;
+    private double lastA5 = Double.NaN;
 
     Cartesian(
         Channel channel,
@@ -202,8 +212,9 @@ abstract sealed class Space<P> {
     @Override
     void checkOther(Guard guard) throws ControlRefusedException {
       Axis joints = channel.joints();
-      guard.check(joints, false); // without the margin, since the target of the axes is not known
-      guard.checkWrist(joints);
+      guard.check(joints, false); // with the margin, since the target of the axes is not known
+      guard.checkWrist(joints.a5(), lastA5);
+      lastA5 = joints.a5();
     }
 
     @Override
@@ -309,7 +320,7 @@ abstract sealed class Space<P> {
     @Override
     void checkOther(Guard guard) throws ControlRefusedException {
       guard.check(
-          channel.frame(), false); // without the margin, since the target of the tool is not known
+          channel.frame(), false); // with the margin, since the target of the tool is not known
     }
 
     @Override

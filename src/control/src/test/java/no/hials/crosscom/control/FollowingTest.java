@@ -6,11 +6,14 @@ import static org.assertj.core.api.Assertions.within;
 import java.time.Duration;
 import java.util.List;
 import no.hials.crosscom.control.StopReason.StopKind;
+import no.hials.crosscom.control.input.Input;
+import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.Axis;
 import no.hials.crosscom.protocol.value.Frame;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The four kinds of laws follow a sinusoid with the programs of krl on the simulated robot. */
@@ -266,5 +269,27 @@ class FollowingTest extends ControlTest {
     assertThat(cycles.stream().mapToDouble(c -> c.actual().get(4)).max())
         .hasValueCloseTo(90.0, within(0.3));
     assertStands();
+  }
+
+  @ParameterizedTest
+  @EnumSource(DriveSpace.class)
+  void withALowOverrideTheRobotStandsSoonToo(DriveSpace space) throws Exception {
+    controller.setMode(OperatingMode.T1);
+    run(space.program() + ".src");
+    controller.variables().set("$OV_PRO", "10");
+    Input full =
+        new Input(List.of(0.0, 0.0, 0.0, 0.0, 0.0, 1.0), List.of(), true, System.nanoTime());
+
+    StopReason end =
+        runLoop(
+            LoopConfig.create(cfg -> cfg.period(PERIOD).noInput().duration(Duration.ofSeconds(1))),
+            space.law(state -> full, 30, 30));
+
+    assertThat(end.kind()).isEqualTo(StopKind.TIME_OVER);
+    controller.step(Duration.ofMillis(500));
+    Axis soon = controller.axes();
+    assertThat(soon.largestDifference(START)).isGreaterThan(0.1);
+    controller.step(Duration.ofSeconds(5));
+    assertThat(controller.axes().largestDifference(soon)).isLessThan(1e-9);
   }
 }

@@ -5,6 +5,7 @@ import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
@@ -19,7 +20,7 @@ public final class AsyncCalls {
    * @param call a future whose {@code cancel} returns false once the call has been sent
    * @param sendWithin the time from now; zero or less if it is over
    * @return the result of the call
-   * @throws NotSentException if the call was not sent in time
+   * @throws NotSentException if the call was not sent in time, or the client had too many calls
    * @throws CancellationException if somebody else has cancelled the call
    * @throws IOException if the call failed
    * @throws InterruptedException if the wait was interrupted; the call goes on
@@ -39,6 +40,9 @@ public final class AsyncCalls {
       Throwable cause = e.getCause();
       if (cause instanceof IOException failure) {
         throw failure;
+      }
+      if (cause instanceof RejectedExecutionException full) {
+        throw new NotSentException(String.valueOf(full.getMessage()));
       }
       if (cause instanceof RuntimeException failure) {
         throw failure;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import java.nio.ByteBuffer;
+import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -28,11 +29,13 @@ import no.hials.crosscom.gateway.internal.broker.Session;
 import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
+import no.hials.crosscom.mock.RecordedRequest;
 import org.eclipse.tahu.message.SparkplugBPayloadDecoder;
 import org.eclipse.tahu.message.SparkplugBPayloadEncoder;
 import org.eclipse.tahu.message.model.Metric;
 import org.eclipse.tahu.message.model.MetricDataType;
 import org.eclipse.tahu.message.model.SparkplugBPayload;
+import org.eclipse.tahu.protobuf.SparkplugBProto.Payload;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -452,6 +455,38 @@ class SparkplugIT extends BrokerTest {
       awaitData(observer, alias, it -> it.getValue().equals(55));
       assertThat(robot.variables().get("COUNTER")).contains("0");
       assertThat(figure(reading, "mqtt_commands")).isEqualTo(2);
+    }
+  }
+
+  @Test
+  void aDeviceCommandWithAValueOfAnotherTypeIsRefusedWithALineInTheAuditLog() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      Gateway reading = start(READ + mqtt(broker, NODE, "commands = true"));
+      observer.await(DBIRTH, "");
+      for (Payload.Metric.Builder value :
+          List.of(
+              Payload.Metric.newBuilder().setLongValue(30),
+              Payload.Metric.newBuilder(),
+              Payload.Metric.newBuilder().setIntValue(30))) {
+        observer.publish(
+            Mqtt5Publish.builder()
+                .topic("spBv1.0/hall1/DCMD/gateway1/cell1")
+                .payload(
+                    Payload.newBuilder()
+                        .addMetrics(value.setName("$OV_PRO").setDatatype(3))
+                        .build()
+                        .toByteArray())
+                .build());
+      }
+
+      await(() -> figure(reading, "mqtt_commands") == 3);
+      assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+      assertThat(robot.variables().get("$OV_PRO")).isEqualTo("30");
+      assertThat(Files.readString(folder.resolve("data/audit.jsonl")))
+          .contains(
+              "\"after\":\"30\",\"result\":\"cell1: $OV_PRO was not written: a value of type Int32 must be in int_value, is 30 in long_value\"",
+              "\"after\":\"\",\"result\":\"cell1: $OV_PRO was not written: a command needs a value\"");
     }
   }
 }

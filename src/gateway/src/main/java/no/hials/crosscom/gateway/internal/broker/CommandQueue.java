@@ -131,7 +131,7 @@ public final class CommandQueue implements AutoCloseable {
   }
 
   /** Counts and returns a refusal, with a line in the audit log. */
-  private String refuse(String who, RobotFeed feed, String variable, String value, String reason) {
+  public String refuse(String who, RobotFeed feed, String variable, String value, String reason) {
     context.writes().refused(who, feed, variable, value, reason);
     return refused(who, feed.name(), variable, reason);
   }

@@ -246,11 +246,11 @@ public final class SparkplugTraffic implements Traffic {
     }
   }
 
-  private static List<Metric> metrics(Received message) {
+  private static List<Command> wishes(Received message) {
     try {
       return message.payload().remaining() > LARGEST_COMMAND
           ? List.of()
-          : Payloads.decode(message.payload());
+          : Command.decode(message.payload());
     } catch (IllegalArgumentException e) {
       LOG.warn("{}: {}", message.topic(), e.getMessage());
       return List.of();
@@ -260,8 +260,7 @@ public final class SparkplugTraffic implements Traffic {
   private void nodeCommand(Received message) {
     boolean rebirth =
         !message.retained()
-            && metrics(message).stream()
-                .anyMatch(it -> REBIRTH.equals(it.getName()) && Boolean.TRUE.equals(it.getValue()));
+            && wishes(message).stream().anyMatch(it -> REBIRTH.equals(it.name()) && it.isTrue());
     // several requests that wait are answered by the same births
     if (rebirth && rebirthWaits.compareAndSet(false, true)) {
       session.submit(
@@ -278,35 +277,44 @@ public final class SparkplugTraffic implements Traffic {
 
   private void deviceCommand(Received message) {
     String robot = message.topic().substring(message.topic().lastIndexOf('/') + 1);
-    List<Metric> metrics = metrics(message);
-    session.submit(1, () -> execute(message, robot, metrics));
+    List<Command> wishes = wishes(message);
+    session.submit(1, () -> execute(message, robot, wishes));
   }
 
-  private void execute(Received message, String robot, List<Metric> metrics) {
+  private void execute(Received message, String robot, List<Command> wishes) {
     CommandQueue executor = commands;
     if (executor == null) {
       return;
     }
     String who = "mqtt:" + (message.sender().isEmpty() ? "unknown" : message.sender());
     Device device = devices.get(robot);
-    for (Metric wish : metrics) {
-      DeviceMetric metric = device == null ? null : device.find(wish.getAlias(), wish.getName());
-      String name = metric == null ? String.valueOf(wish.getName()) : metric.name();
-      Object value = wish.getValue();
-      String refusal = null;
-      if (message.retained()) {
-        refusal = "a retained command is not executed: nobody knows how old it is";
-      } else if (metric == null) {
-        refusal = "the device has no such metric";
-      } else if (value == null) {
-        refusal = "a command needs a value";
+    for (Command wish : wishes) {
+      DeviceMetric metric = device == null ? null : device.find(wish.alias(), wish.name());
+      if (message.retained() || device == null || metric == null) {
+        String unused =
+            executor.refused(
+                who,
+                robot,
+                metric == null ? String.valueOf(wish.name()) : metric.name(),
+                message.retained()
+                    ? "a retained command is not executed: nobody knows how old it is"
+                    : "the device has no such metric");
+        continue;
       }
-      if (refusal != null || value == null) {
-        String unused = executor.refused(who, robot, name, String.valueOf(refusal));
-      } else {
-        String text = value instanceof Boolean bool ? (bool ? "TRUE" : "FALSE") : value.toString();
-        executor.execute(who, robot, name, text, message.expiry(), result -> {});
+      String text;
+      try {
+        text = wish.text(metric.type());
+      } catch (IllegalArgumentException e) {
+        String unused =
+            executor.refuse(
+                who,
+                device.robot(),
+                metric.name(),
+                wish.sent(),
+                "%s: %s was not written: %s".formatted(robot, metric.name(), e.getMessage()));
+        continue;
       }
+      executor.execute(who, robot, metric.name(), text, message.expiry(), result -> {});
     }
   }
 }

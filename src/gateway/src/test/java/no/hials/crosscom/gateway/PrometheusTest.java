@@ -3,13 +3,17 @@ package no.hials.crosscom.gateway;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.net.ServerSocket;
+import java.net.Socket;
 import java.net.URI;
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
@@ -160,5 +164,27 @@ class PrometheusTest {
     robot.acceptConnections();
 
     await(text -> text.contains("variable=\"$OV_PRO\"} 100.0"));
+  }
+
+  @Test
+  void requestsThatDoNotEndAreCutOffAndDoNotStopOthers() throws Exception {
+    List<Socket> halfOpen = new ArrayList<>();
+    try {
+      for (int i = 0; i < 20; i++) {
+        Socket socket = new Socket();
+        halfOpen.add(socket);
+        socket.connect(new InetSocketAddress(InetAddress.getLoopbackAddress(), port), 30_000);
+        socket.setSoTimeout(30_000);
+        socket.getOutputStream().write('G');
+      }
+
+      await(text -> text.contains("jopenshowvar_robot_connected{robot=\"cell1\"} 1.0"));
+
+      assertThat(halfOpen.get(0).getInputStream().read()).isEqualTo(-1);
+    } finally {
+      for (Socket socket : halfOpen) {
+        socket.close();
+      }
+    }
   }
 }

@@ -9,6 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.cell.HostAndPort;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -24,6 +28,15 @@ import org.slf4j.LoggerFactory;
 final class PrometheusOutput implements Output {
   private static final Logger LOG = LoggerFactory.getLogger(PrometheusOutput.class);
 
+  /** The number of requests that are answered at the same time. */
+  private static final int MAX_REQUESTS = 64;
+
+  static {
+    // seconds; the server of the JDK reads them once, and waits without an end by default
+    setIfAbsent("sun.net.httpserver.maxReqTime", "5");
+    setIfAbsent("sun.net.httpserver.maxRspTime", "30");
+  }
+
   private final Map<String, RobotMetrics> robots = new ConcurrentHashMap<>();
   private final Health health;
   private final MultiCollector collector = this::snapshots;
@@ -38,6 +51,7 @@ final class PrometheusOutput implements Output {
               .inetAddress(InetAddress.getByName(address.host()))
               .port(Objects.requireNonNull(address.port()))
               .registry(health.registry())
+              .executorService(executor())
               .buildAndStart();
     } catch (IOException e) {
       health.registry().unregister(collector);
@@ -51,6 +65,29 @@ final class PrometheusOutput implements Output {
           e);
     }
     LOG.info("Prometheus: http://{}:{}/metrics", address.host(), server.getPort());
+  }
+
+  private static void setIfAbsent(String property, String value) {
+    if (System.getProperty(property) == null) {
+      System.setProperty(property, value);
+    }
+  }
+
+  private static ExecutorService executor() {
+    ThreadPoolExecutor executor =
+        new ThreadPoolExecutor(
+            MAX_REQUESTS,
+            MAX_REQUESTS,
+            10,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            task -> {
+              Thread thread = new Thread(task, "prometheus");
+              thread.setDaemon(true);
+              return thread;
+            });
+    executor.allowCoreThreadTimeOut(true);
+    return executor;
   }
 
   /** Returns the port that it listens on. */

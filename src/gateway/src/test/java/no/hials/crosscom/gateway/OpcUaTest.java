@@ -72,6 +72,10 @@ class OpcUaTest {
     range = [0, 100]
     write = true
 
+    [variables."$POS_ACT.X"]
+    range = [-5000, 5000]
+    write = true
+
     [opcua]
     address = "127.0.0.1:PORT"
 
@@ -270,6 +274,26 @@ class OpcUaTest {
     }
     assertThat(robot.variables().get("$OV_PRO")).isEqualTo("55");
     assertThat(audit()).contains("\"who\":\"opcua:anna\"", "\"after\":\"55\",\"result\":\"done\"");
+  }
+
+  @Test
+  void aNumberThatAVariableCannotHaveIsRefusedWithALineInTheAuditLog() throws Exception {
+    awaitGood(client, "cell1:$POS_ACT.X");
+    NodeId x = robots(client, "cell1:$POS_ACT.X");
+    OpcUaClient operator = plant.connect("anna", "of anna");
+    try {
+      for (double value : new double[] {1e300, 1e39, Double.POSITIVE_INFINITY, Double.NaN}) {
+        assertThat(write(operator, x, value)).isEqualTo(StatusCodes.Bad_OutOfRange);
+
+        assertThat(audit())
+            .contains(
+                "\"after\":\"" + value + "\",\"result\":\"cell1: $POS_ACT.X was not written: ");
+      }
+    } finally {
+      operator.disconnect();
+    }
+    assertThat(audit().lines()).hasSize(4).allMatch(it -> it.contains("\"who\":\"opcua:anna\""));
+    assertThat(robot.requests()).noneMatch(it -> it.isWrite());
   }
 
   private static UByte level(OpcUaClient client, NodeId id, AttributeId attribute)

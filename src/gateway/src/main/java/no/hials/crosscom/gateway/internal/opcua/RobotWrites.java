@@ -95,7 +95,12 @@ final class RobotWrites {
     try {
       text = UaValues.toKrl(value, now);
     } catch (IllegalArgumentException e) {
-      LOG.warn("OPC UA: {} of {}: {}", variable, robot, e.getMessage());
+      refuse(
+          request,
+          robot,
+          variable,
+          String.valueOf(value),
+          "%s: %s was not written: %s".formatted(robot, variable, e.getMessage()));
       return StatusCodes.Bad_OutOfRange;
     }
     return text == null ? StatusCodes.Bad_TypeMismatch : write(request, robot, variable, text);
@@ -123,9 +128,7 @@ final class RobotWrites {
     if (closed || robot == null) {
       String reason =
           closed ? "not written: the gateway ends" : "not written: its connection was closed";
-      results.labelValues("refused").inc();
-      context.writes().refused(request.who(), robotName, variable, text, reason);
-      log(request, robotName, variable, text, reason);
+      refuse(request, robotName, variable, text, reason);
       return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_NodeIdUnknown;
     }
     if (!request.isWanted().getAsBoolean()) {
@@ -158,6 +161,18 @@ final class RobotWrites {
       log(request, robotName, variable, text, String.valueOf(e.getMessage()));
       return status(e, unknown);
     }
+  }
+
+  private void refuse(
+      Request request, String robotName, String variable, String text, String reason) {
+    RobotFeed robot = context.robot(robotName);
+    if (robot != null) {
+      refuse(request, robot, variable, text, reason);
+      return;
+    }
+    results.labelValues("refused").inc();
+    context.writes().refused(request.who(), robotName, variable, text, reason);
+    log(request, robotName, variable, text, reason);
   }
 
   private void refuse(

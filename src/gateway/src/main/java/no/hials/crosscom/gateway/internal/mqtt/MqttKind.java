@@ -111,12 +111,14 @@ public final class MqttKind implements OutputKind<MqttSettings> {
   }
 
   private static URI url(String text) {
-    String rule = "must be like tcp://host:1883 or ssl://host:8883, is " + text;
+    String shown = text.replaceFirst("^([^:/]*://)?.*@", "$1...@");
+    String rule = "must be like tcp://host:1883 or ssl://host:8883, is " + shown;
     URI url;
     try {
       url = URI.create(text);
     } catch (IllegalArgumentException e) {
-      throw new IllegalArgumentException(rule, e);
+      // without the cause, which has a password of the text
+      throw new IllegalArgumentException(rule);
     }
     boolean known = "tcp".equals(url.getScheme()) || "ssl".equals(url.getScheme());
     boolean rest =

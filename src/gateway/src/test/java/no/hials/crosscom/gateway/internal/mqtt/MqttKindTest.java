@@ -75,6 +75,8 @@ class MqttKindTest {
       value = {
         "url = \"http://broker\" | :3: mqtt.url: must be like tcp://host:1883 or ssl://host:8883",
         "url = \"tcp://broker/path\" | mqtt.url: must be like",
+        "url = \"tcp://robot:secret@broker\" | mqtt.url: must be like tcp://host:1883 or ssl://host:8883, is tcp://...@broker",
+        "url = \"robot:se//c ret@broker\" | mqtt.url: must be like tcp://host:1883 or ssl://host:8883, is ...@broker",
         "version = 4 | :3: mqtt.version: must be 3 (MQTT 3.1.1) or 5, is 4",
         "qos = 3 | mqtt.qos: must be 0, 1 or 2, is 3",
         "client-id = \"\" | mqtt.client-id: must not be empty; without it the identifier is random",

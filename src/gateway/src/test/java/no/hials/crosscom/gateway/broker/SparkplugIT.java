@@ -459,15 +459,18 @@ class SparkplugIT extends BrokerTest {
   }
 
   @Test
-  void aDeviceCommandWithAValueOfAnotherTypeIsRefusedWithALineInTheAuditLog() throws Exception {
+  void aDeviceCommandThatIsNotClearIsRefusedWithALineInTheAuditLog() throws Exception {
     broker = Mosquitto.open(folder);
     try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
       Gateway reading = start(READ + mqtt(broker, NODE, "commands = true"));
-      observer.await(DBIRTH, "");
+      Mqtt5Publish birth = observer.await(DBIRTH, "");
+      long other = metricOf(birth, "COUNTER").getAlias();
       for (Payload.Metric.Builder value :
           List.of(
               Payload.Metric.newBuilder().setLongValue(30),
               Payload.Metric.newBuilder(),
+              Payload.Metric.newBuilder().setIntValue(31).setIsHistorical(true),
+              Payload.Metric.newBuilder().setIntValue(32).setAlias(other),
               Payload.Metric.newBuilder().setIntValue(30))) {
         observer.publish(
             Mqtt5Publish.builder()
@@ -480,13 +483,16 @@ class SparkplugIT extends BrokerTest {
                 .build());
       }
 
-      await(() -> figure(reading, "mqtt_commands") == 3);
+      await(() -> figure(reading, "mqtt_commands") == 5);
       assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
       assertThat(robot.variables().get("$OV_PRO")).isEqualTo("30");
       assertThat(Files.readString(folder.resolve("data/audit.jsonl")))
           .contains(
               "\"after\":\"30\",\"result\":\"cell1: $OV_PRO was not written: a value of type Int32 must be in int_value, is 30 in long_value\"",
-              "\"after\":\"\",\"result\":\"cell1: $OV_PRO was not written: a command needs a value\"");
+              "\"after\":\"\",\"result\":\"cell1: $OV_PRO was not written: a command needs a value\"",
+              "\"after\":\"31\",\"result\":\"cell1: $OV_PRO was not written: is_historical must be false in a command, is true\"",
+              "\"after\":\"32\",\"result\":\"cell1: COUNTER was not written: the name must be that of the alias %d, is $OV_PRO\""
+                  .formatted(other));
     }
   }
 }

@@ -56,6 +56,25 @@ record Command(Payload.Metric metric) {
   }
 
   /**
+   * Checks that it is for a metric now.
+   *
+   * @param found the name of the metric that was found by its alias or name
+   * @throws IllegalArgumentException if its name is another one, or its value is historical
+   */
+  void check(String found) {
+    if (metric.hasName()
+        && !metric.getName().isEmpty()
+        && !metric.getName().equalsIgnoreCase(found)) {
+      throw new IllegalArgumentException(
+          "the name must be that of the alias %d, is %s"
+              .formatted(metric.getAlias(), metric.getName()));
+    }
+    if (metric.getIsHistorical()) {
+      throw new IllegalArgumentException("is_historical must be false in a command, is true");
+    }
+  }
+
+  /**
    * Returns its value as KRL writes it; a text without quotes.
    *
    * @param usual the type of a metric that does not tell it

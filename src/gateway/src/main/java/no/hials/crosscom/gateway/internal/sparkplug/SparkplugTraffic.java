@@ -303,6 +303,7 @@ public final class SparkplugTraffic implements Traffic {
       }
       String text;
       try {
+        wish.check(metric.name());
         text = wish.text(metric.type());
       } catch (IllegalArgumentException e) {
         String unused =

@@ -135,4 +135,23 @@ class CommandTest {
     assertThatThrownBy(() -> command.text(MetricDataType.Int32))
         .hasMessage("a value of type Int32 must be in int_value, is 2.5 in float_value");
   }
+
+  @Test
+  void aHistoricalValueIsNoCommand() {
+    Command command = raw(MetricDataType.Int32, it -> it.setIntValue(5).setIsHistorical(true));
+
+    assertThatThrownBy(() -> command.check("A"))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("is_historical must be false in a command, is true");
+  }
+
+  @Test
+  void aNameMustBeThatOfTheAlias() {
+    Command command = raw(MetricDataType.Int32, it -> it.setAlias(3).setIntValue(5));
+
+    command.check("a");
+    assertThatThrownBy(() -> command.check("B"))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("the name must be that of the alias 3, is A");
+  }
 }

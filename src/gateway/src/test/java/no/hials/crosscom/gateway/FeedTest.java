@@ -254,6 +254,8 @@ class FeedTest {
 
   // writes
 
+  private static final Duration SOON = Duration.ofSeconds(50);
+
   private Writes writes() {
     return new Writes(new AuditLog(folder));
   }
@@ -269,7 +271,7 @@ class FeedTest {
     start("variables = [\"MYINT\"]", WRITABLE);
     next(is("MYINT", 3));
 
-    writes().write("mqtt:plc", plant, feed, "myint", " 42 ");
+    writes().write("mqtt:plc", plant, feed, "myint", " 42 ", SOON);
 
     assertThat(robot.variables().get("MYINT")).isEqualTo("42");
     assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
@@ -284,8 +286,8 @@ class FeedTest {
     robot.variables().declare("TASK[8]", "CHAR", "\"Away\"");
     start("variables = [\"$OV_PRO\"]", WRITABLE);
 
-    writes().write("mqtt", plant, feed, "TASK[]", "\"Home\"");
-    writes().write("mqtt", plant, feed, "$OUT[4]", "true");
+    writes().write("mqtt", plant, feed, "TASK[]", "\"Home\"", SOON);
+    writes().write("mqtt", plant, feed, "$OUT[4]", "true", SOON);
 
     assertThat(robot.variables().get("TASK[]")).isEqualTo("\"Home\"");
     assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
@@ -312,7 +314,7 @@ class FeedTest {
   void aWriteThatIsNotAllowedIsNotSent(String name, String text, String reason) throws Exception {
     start("variables = [\"$OV_PRO\"]", WRITABLE);
 
-    assertThatThrownBy(() -> writes().write("mqtt", plant, feed, name, text))
+    assertThatThrownBy(() -> writes().write("mqtt", plant, feed, name, text, SOON))
         .isInstanceOf(RefusedWriteException.class)
         .hasMessageContaining("cell1: " + name)
         .hasMessageContaining(reason);
@@ -326,7 +328,7 @@ class FeedTest {
     start("variables = [\"$OV_PRO\"]", WRITABLE);
     robot.fault(RecordedRequest::isWrite, Fault.dropAnswer());
 
-    assertThatThrownBy(() -> writes().write("mqtt", plant, feed, "MYINT", "7"))
+    assertThatThrownBy(() -> writes().write("mqtt", plant, feed, "MYINT", "7", SOON))
         .isInstanceOf(CrossComException.class)
         .hasMessageContaining("unknown");
 
@@ -346,7 +348,7 @@ class FeedTest {
             Map.of());
     feed = RobotFeed.open(plant.plans().get(0), RobotConnection::openLazily, (source, some) -> {});
 
-    assertThatThrownBy(() -> writes().write("mqtt", plant, feed, "MYINT", "7"))
+    assertThatThrownBy(() -> writes().write("mqtt", plant, feed, "MYINT", "7", SOON))
         .hasMessage("cell1: MYINT was not written: read-only = true in plant.toml:3");
     assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
     assertThat(KrlValue.parse(robot.variables().get("MYINT"))).isNotNull();
@@ -361,7 +363,7 @@ class FeedTest {
     lines.start();
     logger.addAppender(lines);
     try {
-      new Writes(new AuditLog(noFolder)).write("mqtt:plc", plant, feed, "MYINT", "42");
+      new Writes(new AuditLog(noFolder)).write("mqtt:plc", plant, feed, "MYINT", "42", SOON);
     } finally {
       logger.detachAppender(lines);
     }

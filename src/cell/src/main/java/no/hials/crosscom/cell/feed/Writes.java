@@ -1,7 +1,12 @@
 package no.hials.crosscom.cell.feed;
 
 import java.io.IOException;
+import java.io.InterruptedIOException;
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import no.hials.crosscom.cell.AsyncCalls;
 import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.NotSentException;
 import no.hials.crosscom.cell.WriteAnswer;
 import no.hials.crosscom.protocol.value.KrlArray;
 import no.hials.crosscom.protocol.value.KrlInt;
@@ -29,22 +34,49 @@ public final class Writes {
    * @param plant the plant, whose settings say what may be written
    * @param name the variable or field
    * @param text the value as KRL writes it
+   * @param sendWithin the time from now within which the write must be sent
+   * @throws LateWriteException if the connection was not free in time; nothing was sent
    * @throws RefusedWriteException if the write is not allowed; nothing was sent
+   * @throws InterruptedIOException if the thread was interrupted after the write was sent, so that
+   *     its outcome is unknown
    * @throws IOException if the write failed; the message says if its outcome is unknown
    */
-  public void write(String who, Plant plant, RobotFeed robot, String name, String text)
+  public void write(
+      String who, Plant plant, RobotFeed robot, String name, String text, Duration sendWithin)
       throws IOException {
     String value = text.strip();
     String result = "failed";
     try {
       check(plant, robot, name, value);
-      WriteAnswer.check(name, value, robot.client().writeText(name, value));
+      WriteAnswer.check(name, value, send(robot, name, value, sendWithin));
       result = "done";
     } catch (IOException | IllegalArgumentException e) {
       result = String.valueOf(e.getMessage());
       throw e;
     } finally {
       add(who, robot, name, value, result);
+    }
+  }
+
+  private static String send(RobotFeed robot, String name, String text, Duration sendWithin)
+      throws IOException {
+    String target = robot.name() + ": " + name;
+    String late = target + " was not written: it waited too long for the connection to the robot";
+    if (sendWithin.isNegative() || sendWithin.isZero()) {
+      throw new LateWriteException(late);
+    }
+    CompletableFuture<String> answer = robot.client().async(client -> client.writeText(name, text));
+    try {
+      return AsyncCalls.await(answer, sendWithin);
+    } catch (NotSentException e) {
+      throw new LateWriteException(late);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      if (answer.cancel(false)) {
+        throw new RefusedWriteException(target + " was not written: its thread was interrupted");
+      }
+      throw new InterruptedIOException(
+          target + ": the thread was interrupted during the write; the outcome is unknown");
     }
   }
 

@@ -17,6 +17,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
+import java.util.function.LongSupplier;
 import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
@@ -44,6 +45,7 @@ public final class CommandWriter implements AutoCloseable {
   private final Writes writes;
   private final Lease lease;
   private final Duration maxAge;
+  private final LongSupplier millis;
   private final Set<String> silent = ConcurrentHashMap.newKeySet();
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
@@ -61,10 +63,15 @@ public final class CommandWriter implements AutoCloseable {
    * @param maxAge the maximum difference between the timestamp of a record and the current time
    */
   public CommandWriter(TaskPlant plant, Writes writes, Lease lease, Duration maxAge) {
+    this(plant, writes, lease, maxAge, System::currentTimeMillis);
+  }
+
+  CommandWriter(TaskPlant plant, Writes writes, Lease lease, Duration maxAge, LongSupplier millis) {
     this.plant = plant;
     this.writes = writes;
     this.lease = lease;
     this.maxAge = maxAge;
+    this.millis = millis;
   }
 
   /**
@@ -138,7 +145,12 @@ public final class CommandWriter implements AutoCloseable {
             robot = open(name, allowed);
           }
           writes.write(
-              who(record), plant.plant(), robot, one.getValue().variable(), one.getValue().value());
+              who(record),
+              plant.plant(),
+              robot,
+              one.getValue().variable(),
+              one.getValue().value(),
+              maxAge.minusMillis(age(record))); // it can have waited for the connection
           outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
           // the lease ended or the file changed meanwhile: the robot may not be silent at all
@@ -205,9 +217,8 @@ public final class CommandWriter implements AutoCloseable {
       throw new DataException("not written: " + name + " has not answered the command before");
     }
     // nobody knows whether the write of an old record is still wanted
-    Long time = record.timestamp();
     long limit = maxAge.toMillis();
-    long age = time == null ? Long.MAX_VALUE : System.currentTimeMillis() - time;
+    long age = age(record);
     if (age > limit) {
       throw new DataException(
           "not written: the record is older than " + limit + " ms (max.age.ms)");
@@ -215,6 +226,12 @@ public final class CommandWriter implements AutoCloseable {
       throw new DataException(
           "not written: the clock of the record is " + -age + " ms ahead (max.age.ms)");
     }
+  }
+
+  /** Returns the age of a record in ms. */
+  private long age(SinkRecord record) {
+    Long time = record.timestamp();
+    return time == null ? Long.MAX_VALUE : millis.getAsLong() - time;
   }
 
   private RobotFeed open(String name, BooleanSupplier allowed) throws IOException {

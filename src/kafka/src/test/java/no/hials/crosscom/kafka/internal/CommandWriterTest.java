@@ -13,6 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.feed.Writes;
 import no.hials.crosscom.kafka.internal.Lease.Moment;
@@ -175,6 +176,25 @@ class CommandWriterTest {
           .hasMessageStartingWith("not written: ")
           .hasMessageContaining("broke");
     }
+  }
+
+  @Test
+  void aRecordThatBecomesTooOldWhileTheTaskConnectsIsNotWritten() throws Exception {
+    SinkRecord command = record("r1", 40);
+    AtomicLong time = new AtomicLong(command.timestamp());
+    String text = Files.readString(file());
+    try (CommandWriter slow =
+        new CommandWriter(
+            new TaskPlant(file().toString(), text),
+            new Writes(new AuditLog(folder)),
+            lease,
+            MAX_AGE,
+            () -> time.getAndAdd(MAX_AGE.toMillis() + 1))) {
+      assertThat(slow.write(List.of(command)).get(command).orElseThrow())
+          .hasMessage(
+              "r1: $OV_PRO was not written: it waited too long for the connection to the robot");
+    }
+    assertThat(written(first)).isEmpty();
   }
 
   @Test

@@ -124,10 +124,11 @@ public final class CommandQueue implements AutoCloseable {
     if (closed) {
       return refuse(who, feed, variable, value, ENDS);
     }
-    if (nanoTime.getAsLong() - latest > 0) {
+    long left = latest - nanoTime.getAsLong();
+    if (left < 0) {
       return refuse(who, feed, variable, value, late);
     }
-    return write(who, feed, variable, value);
+    return write(who, feed, variable, value, Duration.ofNanos(left));
   }
 
   /** Counts and returns a refusal, with a line in the audit log. */
@@ -136,14 +137,15 @@ public final class CommandQueue implements AutoCloseable {
     return refused(who, feed.name(), variable, reason);
   }
 
-  private String write(String who, RobotFeed feed, String variable, String value) {
+  private String write(
+      String who, RobotFeed feed, String variable, String value, Duration sendWithin) {
     String text = value.strip();
     boolean isText = feed.lastValue(variable).filter(KrlString.class::isInstance).isPresent();
     try {
       if (isText && !text.startsWith("\"")) {
         text = new KrlString(value).print();
       }
-      context.writes().write(who, context.plant(), feed, variable, text);
+      context.writes().write(who, context.plant(), feed, variable, text, sendWithin);
       counter.labelValues("done").inc();
       return "done";
     } catch (RefusedWriteException | IllegalArgumentException e) {

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
+import java.io.InterruptedIOException;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
@@ -12,6 +13,7 @@ import java.util.function.LongSupplier;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComTimeoutException;
+import no.hials.crosscom.cell.feed.LateWriteException;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.gateway.GatewayContext;
@@ -149,16 +151,25 @@ final class RobotWrites {
       return StatusCodes.Bad_RequestTimeout;
     }
     try {
-      context.writes().write(request.who(), context.plant(), robot, variable, text);
+      Duration sendWithin =
+          Duration.ofNanos(Math.min(request.latest() - now, request.givenUp() - now));
+      context.writes().write(request.who(), context.plant(), robot, variable, text, sendWithin);
       results.labelValues("done").inc();
       return StatusCodes.Good;
     } catch (IOException | IllegalArgumentException e) {
-      boolean unknown = e instanceof CrossComException failure && failure.isOutcomeUnknown();
+      boolean unknown =
+          e instanceof InterruptedIOException
+              || (e instanceof CrossComException failure && failure.isOutcomeUnknown());
       results
           .labelValues(
               unknown ? "unknown" : e instanceof RefusedWriteException ? "refused" : "failed")
           .inc();
       log(request, robotName, variable, text, String.valueOf(e.getMessage()));
+      if (e instanceof LateWriteException) {
+        return request.givenUp() - request.latest() < 0
+            ? StatusCodes.Bad_RequestTimeout
+            : StatusCodes.Bad_TooManyOperations;
+      }
       return status(e, unknown);
     }
   }

@@ -8,6 +8,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.cell.AuditLog;
@@ -22,6 +23,7 @@ import no.hials.crosscom.gateway.Health;
 import no.hials.crosscom.gateway.Latches;
 import no.hials.crosscom.gateway.OneRobotContext;
 import no.hials.crosscom.gateway.internal.writing.Pauses;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
@@ -40,6 +42,7 @@ class CommandQueueTest {
         """
         [robots.cell1]
         host = "%s:%d"
+        timeout = "50s"
         [variables.MYINT]
         range = [0, 10]
         write = true
@@ -106,6 +109,48 @@ class CommandQueueTest {
   }
 
   @Test
+  void aCommandThatExpiresWhileItWaitsForAReadingIsNotSent() throws Exception {
+    server.variables().set("MYINT", "1");
+    Plant plant = plant();
+    Health health = new Health();
+    CountDownLatch arrived = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    server.fault(
+        it -> {
+          boolean slow = it.name().equals("$OV_PRO");
+          if (slow) {
+            arrived.countDown();
+          }
+          return slow;
+        },
+        Fault.hold(released));
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    String late =
+        "cell1: MYINT was not written: it waited too long for the connection to the robot";
+    try (RobotFeed feed =
+            RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
+        CommandQueue queue =
+            new CommandQueue(
+                new OneRobotContext(plant, feed, folder, health), () -> 0, new Pauses(() -> 0))) {
+      FutureTask<String> reading = new FutureTask<>(() -> feed.client().readText("$OV_PRO"));
+      new Thread(reading).start();
+      arrived.await();
+
+      queue.execute("test", "cell1", "MYINT", "3", Duration.ofMillis(20), results::add);
+
+      assertThat(results.take()).isEqualTo(late);
+      released.countDown();
+      assertThat(reading.get()).isEqualTo("100");
+      queue.execute("test", "cell1", "MYINT", "4", null, results::add);
+      assertThat(results.take()).isEqualTo("done");
+    }
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+    assertThat(server.variables().get("MYINT")).isEqualTo("4");
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("\"after\":\"3\",\"result\":\"" + late);
+  }
+
+  @Test
   void aCommandThatArrivesAfterAPauseOfTheGatewayIsNotExecuted() throws Exception {
     server.variables().set("MYINT", "1");
     Plant plant = plant();
@@ -122,14 +167,15 @@ class CommandQueueTest {
       queue.execute("test", "cell1", "MYINT", "2", null, results::add);
       now.addAndGet(Duration.ofSeconds(2).toNanos());
       queue.execute("test", "cell1", "MYINT", "3", null, results::add);
-      now.addAndGet(Duration.ofSeconds(5).toNanos());
-      queue.execute("test", "cell1", "MYINT", "4", null, results::add);
-
       String reason =
           "not executed: the gateway was frozen for more than 5 s just before, so that nobody knows"
               + " how old it is";
       assertThat(results.take()).isEqualTo(reason);
       assertThat(results.take()).isEqualTo("done");
+
+      now.addAndGet(Duration.ofSeconds(5).toNanos());
+      queue.execute("test", "cell1", "MYINT", "4", null, results::add);
+
       assertThat(results.take()).isEqualTo("done");
       assertThat(Files.readString(folder.resolve("audit.jsonl")))
           .contains("\"after\":\"2\",\"result\":\"" + reason);

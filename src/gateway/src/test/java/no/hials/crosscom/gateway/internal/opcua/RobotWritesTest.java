@@ -2,6 +2,8 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -10,7 +12,6 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
-import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
@@ -181,6 +182,51 @@ class RobotWritesTest {
 
   @Test
   void aWriteThatOnlyWaitedForAReadingIsNoRefusalOfTheController() throws Exception {
+    CompletableFuture<String> reading = beginSlowReading();
+    feed.client().setSoTimeout(100); // of calls from now on
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_ResourceUnavailable);
+
+    released.countDown();
+    assertThat(reading.join()).isEqualTo("100");
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).isEmpty();
+  }
+
+  @Test
+  void aWriteThatWaitsForAReadingLongerThanItsClientWaitsIsNotSent() throws Exception {
+    CompletableFuture<String> reading = beginSlowReading();
+    RobotWrites.Request request = writes.request(ANNA, Duration.ofMillis(20), wanted::get);
+
+    assertThat(write(request, "3").join()).isEqualTo(StatusCodes.Bad_RequestTimeout);
+
+    assertNotSent(reading);
+  }
+
+  @Test
+  void aWriteThatWaitsForAReadingLongerThanTheLimitIsNotSent() throws Exception {
+    CompletableFuture<String> reading = beginSlowReading();
+    RobotWrites.Request request = writes.request(ANNA, Duration.ofSeconds(9), wanted::get);
+    now.set(Duration.ofSeconds(5).minusMillis(20).toNanos());
+
+    assertThat(write(request, "3").join()).isEqualTo(StatusCodes.Bad_TooManyOperations);
+
+    assertNotSent(reading);
+  }
+
+  private void assertNotSent(CompletableFuture<String> reading) throws Exception {
+    released.countDown();
+    assertThat(reading.join()).isEqualTo("100");
+    assertThat(write(request(), "4").join()).isEqualTo(StatusCodes.Good);
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+    assertThat(server.variables().get("MYINT")).isEqualTo("4");
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains(
+            "\"after\":\"3\",\"result\":\"cell1: MYINT was not written: it waited too long for the"
+                + " connection to the robot\"");
+  }
+
+  /** Begins a reading that the robot answers when it is released. */
+  private CompletableFuture<String> beginSlowReading() {
     CountDownLatch arrived = new CountDownLatch(1);
     server.fault(
         it -> {
@@ -191,15 +237,17 @@ class RobotWritesTest {
           return slow;
         },
         Fault.hold(released));
-    CrossComClient client = feed.client();
-    CompletableFuture<String> reading = client.async(it -> it.readText("$OV_PRO"));
+    // without async, which would also wait for the write of another async
+    CompletableFuture<String> reading = CompletableFuture.supplyAsync(() -> readText("$OV_PRO"));
     Latches.await(arrived);
-    client.setSoTimeout(100); // of calls from now on
+    return reading;
+  }
 
-    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_ResourceUnavailable);
-
-    released.countDown();
-    assertThat(reading.join()).isEqualTo("100");
-    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).isEmpty();
+  private String readText(String name) {
+    try {
+      return feed.client().readText(name);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 }

@@ -99,6 +99,10 @@ public final class CommandQueue implements AutoCloseable {
       result.accept(refuse(who, feed, variable, value, "not executed: " + Pauses.REASON));
       return;
     }
+    if (expiry != null && expiry.isZero()) {
+      result.accept(refuse(who, feed, variable, value, "not executed: it had expired"));
+      return;
+    }
     Duration longest =
         expiry != null && expiry.compareTo(RobotThreads.LONGEST_WAIT) < 0
             ? expiry
@@ -125,7 +129,7 @@ public final class CommandQueue implements AutoCloseable {
       return refuse(who, feed, variable, value, ENDS);
     }
     long left = latest - nanoTime.getAsLong();
-    if (left < 0) {
+    if (left <= 0) {
       return refuse(who, feed, variable, value, late);
     }
     return write(who, feed, variable, value, Duration.ofNanos(left));

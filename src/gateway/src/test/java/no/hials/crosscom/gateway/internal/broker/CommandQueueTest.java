@@ -109,6 +109,21 @@ class CommandQueueTest {
   }
 
   @Test
+  void aCommandThatHadExpiredWhenItArrivedIsRefusedForThisReason() throws Exception {
+    Plant plant = plant();
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (RobotFeed feed =
+            RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
+        CommandQueue queue =
+            new CommandQueue(new OneRobotContext(plant, feed, folder, new Health()))) {
+      queue.execute("test", "cell1", "MYINT", "3", Duration.ZERO, results::add);
+
+      assertThat(results.take()).isEqualTo("not executed: it had expired");
+    }
+    assertThat(server.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
   void aCommandThatExpiresWhileItWaitsForAReadingIsNotSent() throws Exception {
     server.variables().set("MYINT", "1");
     Plant plant = plant();

@@ -97,7 +97,7 @@ final class RobotMetrics {
             age ->
                 families.gauge(
                     "variable_age_seconds",
-                    "Time since a variable was last read",
+                    "Time since the request of the last reading of a variable",
                     labels,
                     age.toNanos() / 1e9));
     KrlValue value = update.value();

@@ -1,6 +1,7 @@
 package no.hials.crosscom.kafka.internal;
 
 import java.time.Duration;
+import no.hials.crosscom.cell.Moment;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,22 +13,6 @@ public final class Lease {
   private final long length;
   private volatile @Nullable Moment renewed;
   private volatile boolean ended;
-
-  /**
-   * A time on both clocks of the machine. The monotonic one stands still while a virtual machine is
-   * suspended, and the other one can be set.
-   */
-  public record Moment(long nanos, long millis) {
-    /** Returns the time now. */
-    public static Moment now() {
-      return new Moment(System.nanoTime(), System.currentTimeMillis());
-    }
-
-    /** Returns the time since an earlier moment, by the clock that has moved further. */
-    public long nanosSince(Moment before) {
-      return Math.max(nanos - before.nanos, (millis - before.millis) * 1_000_000);
-    }
-  }
 
   /** Creates a lease that is not held yet. */
   public Lease(Duration length) {
@@ -41,7 +26,7 @@ public final class Lease {
    */
   public synchronized void renew(Moment requested) {
     Moment before = renewed;
-    if (before == null || requested.nanos - before.nanos > 0) {
+    if (before == null || requested.nanos() - before.nanos() > 0) {
       renewed = requested;
     }
   }

@@ -3,7 +3,7 @@ package no.hials.crosscom.kafka.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
-import no.hials.crosscom.kafka.internal.Lease.Moment;
+import no.hials.crosscom.cell.Moment;
 import org.junit.jupiter.api.Test;
 
 /** When robots may be used. */

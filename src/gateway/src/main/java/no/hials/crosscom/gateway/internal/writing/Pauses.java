@@ -5,12 +5,13 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
-import java.util.function.LongSupplier;
+import java.util.function.Supplier;
+import no.hials.crosscom.cell.Moment;
 
 /**
- * Notices that this process was frozen, by a beat that did not come. What arrives just after such a
- * pause can have waited in a buffer of the network, so that nobody knows how old it is.
- * Thread-safe.
+ * Notices that this process was frozen, by a beat that did not come, or the machine suspended, by
+ * its clock, which then looks as if it was set forward. What arrives just after such a pause can
+ * have waited in a buffer of the network, so that nobody knows how old it is. Thread-safe.
  */
 public final class Pauses implements AutoCloseable {
   /** The reason for the refusal of a write that arrives after a pause. */
@@ -22,7 +23,7 @@ public final class Pauses implements AutoCloseable {
   private static final long BEAT_MILLIS = 250;
   private static final Duration AFTER = Duration.ofSeconds(2);
 
-  private final LongSupplier nanoTime;
+  private final Supplier<Moment> clock;
   private final ScheduledExecutorService timer =
       Executors.newSingleThreadScheduledExecutor(
           task -> {
@@ -30,19 +31,21 @@ public final class Pauses implements AutoCloseable {
             thread.setDaemon(true);
             return thread;
           });
-  private long lastBeat;
+  private Moment lastBeat;
+
+  /** The end of the time after a pause, by {@link Moment#nanos}. */
   private long suspectUntil;
 
   /** Creates an object without beats of its own. */
-  public Pauses(LongSupplier nanoTime) {
-    this.nanoTime = nanoTime;
-    lastBeat = nanoTime.getAsLong();
-    suspectUntil = lastBeat;
+  public Pauses(Supplier<Moment> clock) {
+    this.clock = clock;
+    lastBeat = clock.get();
+    suspectUntil = lastBeat.nanos();
   }
 
   /** Creates an object with regular beats. */
   public static Pauses start() {
-    Pauses pauses = new Pauses(System::nanoTime);
+    Pauses pauses = new Pauses(Moment::now);
     ScheduledFuture<?> unused =
         pauses.timer.scheduleWithFixedDelay(
             pauses::beat, BEAT_MILLIS, BEAT_MILLIS, TimeUnit.MILLISECONDS);
@@ -53,13 +56,13 @@ public final class Pauses implements AutoCloseable {
   public synchronized boolean isJustOver() {
     // the first thread that runs again need not be that of the beats
     beat();
-    return lastBeat - suspectUntil < 0;
+    return lastBeat.nanos() - suspectUntil < 0;
   }
 
   synchronized void beat() {
-    long now = nanoTime.getAsLong();
-    if (now - lastBeat > RobotThreads.LONGEST_WAIT.toNanos()) {
-      suspectUntil = now + AFTER.toNanos();
+    Moment now = clock.get();
+    if (now.nanosSince(lastBeat) > RobotThreads.LONGEST_WAIT.toNanos()) {
+      suspectUntil = now.nanos() + AFTER.toNanos();
     }
     lastBeat = now;
   }

@@ -12,6 +12,7 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.Moment;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
@@ -64,7 +65,7 @@ class CommandQueueTest {
             new CommandQueue(
                 new OneRobotContext(plant, feed, folder, new Health()),
                 now::get,
-                new Pauses(() -> 0))) {
+                new Pauses(() -> new Moment(0, 0)))) {
       executeAndLetTheNextWait(queue, results, released);
 
       now.set(Duration.ofSeconds(5).toNanos() + 1);
@@ -94,7 +95,7 @@ class CommandQueueTest {
             new CommandQueue(
                 new OneRobotContext(plant, feed, folder, new Health()),
                 now::get,
-                new Pauses(() -> 0))) {
+                new Pauses(() -> new Moment(0, 0)))) {
       executeAndLetTheNextWait(queue, results, released);
       queue.execute("test", "cell1", "MYINT", "4", Duration.ofSeconds(2), results::add);
 
@@ -146,7 +147,9 @@ class CommandQueueTest {
             RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
         CommandQueue queue =
             new CommandQueue(
-                new OneRobotContext(plant, feed, folder, health), () -> 0, new Pauses(() -> 0))) {
+                new OneRobotContext(plant, feed, folder, health),
+                () -> 0,
+                new Pauses(() -> new Moment(0, 0)))) {
       FutureTask<String> reading = new FutureTask<>(() -> feed.client().readText("$OV_PRO"));
       new Thread(reading).start();
       arrived.await();
@@ -177,7 +180,7 @@ class CommandQueueTest {
             new CommandQueue(
                 new OneRobotContext(plant, feed, folder, new Health()),
                 now::get,
-                new Pauses(now::get))) {
+                new Pauses(() -> new Moment(now.get(), 0)))) {
       now.addAndGet(Duration.ofSeconds(5).toNanos() + 1);
       queue.execute("test", "cell1", "MYINT", "2", null, results::add);
       now.addAndGet(Duration.ofSeconds(2).toNanos());

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.cell.Moment;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
@@ -43,6 +44,9 @@ class RobotWritesTest {
   /** The time for the detection of pauses of the gateway. */
   private final AtomicLong pause = new AtomicLong();
 
+  /** The ms of the other clock, which goes on while the machine is suspended. */
+  private final AtomicLong wall = new AtomicLong();
+
   private final AtomicBoolean wanted = new AtomicBoolean(true);
   private final CountDownLatch released = new CountDownLatch(1);
   private RobotFeed feed;
@@ -66,7 +70,7 @@ class RobotWritesTest {
         new RobotWrites(
             new OneRobotContext(plant, feed, folder, new Health()),
             now::get,
-            new Pauses(pause::get));
+            new Pauses(() -> new Moment(pause.get(), wall.get())));
     server.variables().set("MYINT", "1");
   }
 
@@ -249,5 +253,13 @@ class RobotWritesTest {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  @Test
+  void aWriteThatArrivesAfterTheMachineWasSuspendedIsRefused() {
+    wall.set(5_001);
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_RequestTimeout);
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).isEmpty();
   }
 }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Random;
@@ -253,6 +254,27 @@ class SocketTest {
           .last()
           .asString()
           .contains("\"before\":\"41\",\"after\":\"42\"");
+    }
+  }
+
+  @Test
+  void allPagesShowWhileTheAuditLogCannotBeWritten() throws Exception {
+    Path file = folder.resolve("audit.jsonl");
+    try (TestSocket other = pages.open(Role.VIEW);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      Files.delete(file); // it has the arrivals of the browsers
+      Files.createDirectory(file); // takes no line
+      socket.call("lock", "robot", "'mock'", "locked", "false");
+
+      write(socket, "MYINT", "42");
+      assertThat(pages.controller().variables().get("MYINT")).isEqualTo("42");
+      JsonNode header = other.await(it -> !it.path("audit_failure").asText().isEmpty());
+      assertThat(header.path("audit_failure").asText()).contains("directory");
+
+      Files.delete(file);
+      socket.call("lock", "robot", "'mock'", "locked", "true");
+      other.await(it -> it.has("audit_failure") && it.path("audit_failure").asText().isEmpty());
+      assertThat(Files.readString(file)).contains("\"2 lines are missing before this one: ");
     }
   }
 

@@ -227,6 +227,12 @@ export function Header() {
         { name: 'Stop', kind: one.stop === 'TRUE' ? 'bad' : '' },
         STOPS[one.stop] ?? '–',
       ),
+      one.audit_failure &&
+        h(
+          Item,
+          { name: 'Audit log', kind: 'bad', title: one.audit_failure },
+          `cannot be written: ${one.audit_failure}`,
+        ),
       owner && h(Item, { name: 'Jog', kind: 'warn' }, owner.id === state.who.id ? 'this page' : owner.name),
     ),
     h('div', { class: 'actions' }, h(Lock, { one }), h(LetIn), h(Theme)),

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.Set;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.ConnectionEvent.ConnectionChange;
+import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Leaf;
 import no.hials.crosscom.protocol.value.KrlValue;
 import no.hials.crosscom.web.internal.robot.Readings.ReadOutcome;
@@ -36,6 +37,7 @@ final class Header {
           "$STOPMESS", "stop");
 
   private final RobotSession robot;
+  private final AuditLog audit;
 
   // guarded by this
   private final Set<Viewer> viewers = new HashSet<>();
@@ -56,8 +58,9 @@ final class Header {
 
   private String reason = "";
 
-  Header(RobotSession robot) {
+  Header(RobotSession robot, AuditLog audit) {
     this.robot = robot;
+    this.audit = audit;
   }
 
   /** Sends the header to a viewer from now on, until its socket is closed. */
@@ -163,6 +166,7 @@ final class Header {
       event.put("access_ms", Readings.millis(readings.access()));
       values.forEach((name, reading) -> put(event, FIELDS.get(name), reading));
     }
+    event.put("audit_failure", audit.failure());
     event.set("lock", robot.lock().json());
     return event;
   }

@@ -7,6 +7,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.Server;
+import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.Sampling;
@@ -49,12 +50,12 @@ public final class RobotSession implements AutoCloseable {
     }
   }
 
-  private RobotSession(Robot robot, RobotConnection connection, boolean readOnly) {
+  private RobotSession(Robot robot, RobotConnection connection, boolean readOnly, AuditLog audit) {
     this.name = robot.name().isEmpty() ? DEFAULT_NAME : robot.name();
     this.connection = connection;
     hub = new Hub(connection.client());
     lock = new Lock(connection.robot(), readOnly);
-    header = new Header(this);
+    header = new Header(this, audit);
   }
 
   /**
@@ -62,12 +63,13 @@ public final class RobotSession implements AutoCloseable {
    *
    * @param readOnly whether nothing may be changed
    */
-  static RobotSession open(Robot robot, RobotConnection.Opener opener, boolean readOnly)
+  static RobotSession open(
+      Robot robot, RobotConnection.Opener opener, boolean readOnly, AuditLog audit)
       throws IOException {
     Events events = new Events();
     RobotConnection connection =
         opener.open(robot, Robot.LASTING.andThen(cfg -> cfg.listener(events::changed)));
-    RobotSession session = new RobotSession(robot, connection, readOnly);
+    RobotSession session = new RobotSession(robot, connection, readOnly, audit);
     events.to(session);
     return session;
   }

@@ -39,8 +39,9 @@ public final class RobotSessions implements AutoCloseable {
     RobotSessions all = new RobotSessions(audit);
     try {
       for (Robot robot : config.robots()) {
-        RobotSession session = RobotSession.open(robot, config.opener(), config.readOnly());
+        RobotSession session = RobotSession.open(robot, config.opener(), config.readOnly(), audit);
         all.sessions.put(session.name(), session);
+        audit.addListener(line -> session.header().send()); // whether it could be written
       }
       return all;
     } catch (IOException | RuntimeException e) {

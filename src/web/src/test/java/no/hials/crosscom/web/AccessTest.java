@@ -11,7 +11,9 @@ import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.security.MessageDigest;
+import java.util.ArrayList;
 import java.util.Base64;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
@@ -48,6 +50,25 @@ class AccessTest {
         .contains("<link rel=\"icon\" href=\"/icon.svg\""); // or browsers ask for /favicon.ico
     assertThat(answer.headers().firstValue("set-cookie").orElseThrow())
         .contains("HttpOnly", "SameSite=Strict", "Path=/");
+  }
+
+  @Test
+  void aBrowserWithManyPagesDoesNotShutOutOthers() throws Exception {
+    String cookie = pages.login(Role.VIEW);
+    List<TestSocket> open = new ArrayList<>();
+    try {
+      for (int i = 0; i < 65; i++) {
+        open.add(pages.open(cookie));
+      }
+
+      assertThat(open.get(64).closeReason()).isEqualTo("this browser has 64 pages open already");
+      assertThat(open.get(63).call("ping").has("ok")).isTrue();
+      try (TestSocket other = pages.open(Role.VIEW)) {
+        assertThat(other.call("ping").has("ok")).isTrue();
+      }
+    } finally {
+      open.forEach(TestSocket::close);
+    }
   }
 
   @Test

@@ -28,6 +28,7 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
   private final CompletableFuture<Integer> closed = new CompletableFuture<>();
   private WebSocket socket;
   private volatile long clock = -1;
+  private volatile String closeReason = "";
   private int number;
 
   private TestSocket() {}
@@ -90,6 +91,7 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
 
   @Override
   public CompletionStage<?> onClose(WebSocket from, int code, String reason) {
+    closeReason = reason;
     closed.complete(code);
     return null;
   }
@@ -178,6 +180,12 @@ public final class TestSocket implements WebSocket.Listener, AutoCloseable {
     } catch (ExecutionException | TimeoutException e) {
       throw new AssertionError("the socket is still open", e);
     }
+  }
+
+  /** Returns the reason that the server gives when it closes the socket. */
+  public String closeReason() throws InterruptedException {
+    int unused = closeCode();
+    return closeReason;
   }
 
   @Override

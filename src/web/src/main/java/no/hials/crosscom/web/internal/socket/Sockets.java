@@ -30,6 +30,9 @@ public final class Sockets implements Route, AutoCloseable {
 
   private static final int MAX_SOCKETS = 256;
 
+  /** Fewer than all, so that one browser does not shut out the others. */
+  private static final int MAX_SOCKETS_OF_A_BROWSER = 64;
+
   /** A page sends a message every few seconds, even if it is hidden. */
   private static final Duration MAX_SILENCE = Duration.ofMinutes(2);
 
@@ -84,14 +87,19 @@ public final class Sockets implements Route, AutoCloseable {
     return viewers.size();
   }
 
-  /** Adds an open socket; returns false if there are too many. */
-  boolean add(Viewer viewer) {
-    if (viewers.size() >= MAX_SOCKETS) {
-      return false;
+  /** Adds an open socket; returns why it cannot, or an empty text. */
+  String add(Viewer viewer) {
+    synchronized (viewers) {
+      if (viewers.size() >= MAX_SOCKETS) {
+        return "too many pages are open";
+      }
+      if (count(viewer.browser()) >= MAX_SOCKETS_OF_A_BROWSER) {
+        return "this browser has " + MAX_SOCKETS_OF_A_BROWSER + " pages open already";
+      }
+      viewers.add(viewer);
     }
-    viewers.add(viewer);
     atOpen.forEach(task -> task.accept(viewer));
-    return true;
+    return "";
   }
 
   void remove(Viewer viewer) {

@@ -171,8 +171,9 @@ public final class Viewer implements Session.Listener.AutoDemanding {
   @Override
   public void onWebSocketOpen(Session opened) {
     session = opened;
-    if (!sockets.add(this)) {
-      end("too many pages are open");
+    String refusal = sockets.add(this);
+    if (!refusal.isEmpty()) {
+      end(refusal);
       return;
     }
     if (!browser.isIn()) { // it may have been sent away since the request was checked

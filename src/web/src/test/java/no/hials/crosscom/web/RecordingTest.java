@@ -17,7 +17,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.StringJoiner;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.cell.recording.RecordedData;
@@ -305,6 +307,32 @@ class RecordingTest {
       assertThat(files(socket)).isEmpty();
       assertThat(start(socket, "b", "csv", "['$OV_PRO']").path("error").asText())
           .isEqualTo("there is already a recording b.csv");
+    }
+  }
+
+  @Test
+  void recordingsWithoutANameThatStartInOneSecondHaveDifferentFiles() throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE);
+        TestSocket socket = pages.open(Role.OPERATE)) {
+      Set<String> files = new HashSet<>();
+      for (int i = 0; i < 3; i++) { // at least two of them in one second
+        JsonNode answer =
+            socket.call(
+                "record-start",
+                "robot",
+                "'mock'",
+                "names",
+                "['$OV_PRO']",
+                "period",
+                "20",
+                "format",
+                "'csv'");
+        files.add(answer.path("ok").path("file").asText());
+      }
+
+      assertThat(files)
+          .hasSize(3)
+          .allMatch(file -> file.matches("mock-\\d{8}-\\d{6}(-[23])?\\.csv"));
     }
   }
 

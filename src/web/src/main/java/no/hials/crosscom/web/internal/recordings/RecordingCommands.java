@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Sampling;
@@ -100,14 +101,17 @@ public final class RecordingCommands implements AutoCloseable {
       throw new CommandException("format must be csv or jsonl");
     }
     boolean jsonLines = format.equals("jsonl");
-    String name = call.optionalText("name").orElseGet(() -> defaultName(robot));
+    Optional<String> name = call.optionalText("name");
     Path file;
     synchronized (this) {
       if (running.size() + starting.size() >= MAX_RUNNING) {
         throw new CommandException(
             "there are " + MAX_RUNNING + " recordings already: stop one first");
       }
-      file = files.newFile(name, jsonLines);
+      file =
+          name.isPresent()
+              ? files.newFile(name.get(), jsonLines)
+              : files.freeFile(defaultName(robot), jsonLines, starting);
       if (!starting.add(file)) {
         throw new CommandException("there is already a recording " + file.getFileName());
       }

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Semaphore;
 import java.util.regex.Pattern;
 import no.hials.crosscom.cell.FileException;
@@ -80,11 +81,33 @@ final class RecordingFiles implements Route {
       throw new CommandException("there are " + MAX_FILES + " recordings: delete one first");
     }
     Files.createDirectories(folder);
-    Path file = folder.resolve(name + (jsonLines ? JSON_LINES : CSV));
-    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+    Path file = path(name, jsonLines);
+    if (isInUse(file, Set.of())) {
       throw new CommandException("there is already a recording " + file.getFileName());
     }
     return file;
+  }
+
+  /**
+   * Returns the file of a new recording that nobody has named.
+   *
+   * @param name its name without the ending; a number follows if it is in use
+   * @param others files that do not exist yet, but will
+   */
+  Path freeFile(String name, boolean jsonLines, Set<Path> others) throws IOException {
+    String free = name;
+    for (int i = 2; isInUse(path(free, jsonLines), others); i++) {
+      free = name + "-" + i;
+    }
+    return newFile(free, jsonLines);
+  }
+
+  private Path path(String name, boolean jsonLines) {
+    return folder.resolve(name + (jsonLines ? JSON_LINES : CSV));
+  }
+
+  private static boolean isInUse(Path file, Set<Path> others) {
+    return others.contains(file) || Files.exists(file, LinkOption.NOFOLLOW_LINKS);
   }
 
   private static boolean isAllowed(String name) {

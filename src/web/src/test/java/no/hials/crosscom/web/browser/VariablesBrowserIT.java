@@ -61,4 +61,17 @@ class VariablesBrowserIT {
         "document.querySelector('.notes').textContent.includes("
             + "'big.txt has 450000 bytes; a list has at most 200000')");
   }
+
+  @Test
+  void aFileWithoutAVariableDoesNotReplaceTheList(Browser browser) throws IOException {
+    Path file = Files.writeString(folder.resolve("empty.txt"), "");
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=variables#/variables"));
+
+    browser.find(".lists input[type=file]").sendKeys(file.toString());
+
+    browser.await(
+        "document.querySelector('.notes').textContent.includes("
+            + "'empty.txt has no variable; the list is unchanged')");
+  }
 }

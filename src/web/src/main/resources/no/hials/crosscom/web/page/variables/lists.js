@@ -133,6 +133,9 @@ export function Lists({ list, onChange }) {
           throw new Error(`${file.name} has ${file.size} bytes; a list has at most ${MAX_BYTES}`);
         }
         const { period, names } = await call('list-parse', { text: await file.text() });
+        if (names.length === 0) {
+          throw new Error(`${file.name} has no variable; the list is unchanged`);
+        }
         onChange({ name: '', period, names });
         note('done', `${names.length} variables from ${file.name}`);
       });

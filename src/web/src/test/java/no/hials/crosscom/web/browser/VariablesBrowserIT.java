@@ -74,4 +74,32 @@ class VariablesBrowserIT {
         "document.querySelector('.notes').textContent.includes("
             + "'empty.txt has no variable; the list is unchanged')");
   }
+
+  @Test
+  void aVariableWithoutAValueCanBeChanged(Browser browser) throws Exception {
+    pages
+        .controller()
+        .controller()
+        .load("notes.dat", "DEFDAT NOTES PUBLIC\nDECL GLOBAL CHAR TXT[8]\nENDDAT\n");
+    Path file = Files.writeString(folder.resolve("txt.txt"), "TXT[]\n");
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=variables#/variables"));
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock[aria-pressed=true]')");
+    browser.find(".lists input[type=file]").sendKeys(file.toString());
+    browser.await("document.querySelector('[aria-label=\"Change TXT[]\"]')");
+
+    browser.click("[aria-label=\"Change TXT[]\"]");
+    browser.await(
+        "document.querySelector('dialog .failure')?.textContent.startsWith("
+            + "'It has no value, or cannot be read: ')");
+    browser.find("dialog input").sendKeys("\"abc\"");
+    browser.click("dialog button.main");
+    browser.await("document.querySelector('dialog .new')");
+    assertThat(browser.text("dialog dd.variable")).isEqualTo("unreadable");
+    browser.click("dialog button.main");
+    browser.await("!document.querySelector('dialog')");
+
+    assertThat(pages.controller().variables().get("TXT[]")).isEqualTo("\"abc\"");
+  }
 }

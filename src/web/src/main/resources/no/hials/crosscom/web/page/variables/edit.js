@@ -22,6 +22,9 @@ function Facts({ entry, range, constants }) {
   );
 }
 
+/** Shown in place of an old value that the controller does not let the page read. */
+const UNREADABLE = 'unreadable';
+
 /** Asks for a new value, and then whether to write it. */
 export function Edit({ name, onClose }) {
   const robot = useRobot();
@@ -31,20 +34,27 @@ export function Edit({ name, onClose }) {
   const [asked, setAsked] = useState(false);
   const [unread, setUnread] = useState('');
   const { busy, error, close, make } = useChange(onClose);
-  useEffect(() => {
+  const read = () =>
     call('read', { robot, name })
       .then(({ text }) => {
         setBefore(text);
-        setValue(text);
+        return text;
       })
-      .catch((e) => setUnread(e.message));
+      .catch((e) => {
+        // a variable that is only declared has no value until the first write
+        setBefore(UNREADABLE);
+        setUnread(`It has no value, or cannot be read: ${e.message}`);
+        return null;
+      });
+  useEffect(() => {
+    read().then((text) => text !== null && setValue(text));
     call('describe', { robot, name })
       .then((answer) => setKnown({ constants: [], ...answer }))
       .catch(() => {});
   }, [name]);
   const check = async () => {
     await call('check', { robot, name, value });
-    setBefore((await call('read', { robot, name })).text);
+    await read();
   };
   const write = async () => {
     const fields = { robot, name, value, confirmed: true };

@@ -9,6 +9,7 @@ import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.protocol.code.OperatingMode;
+import no.hials.crosscom.protocol.value.KrlValue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -165,6 +166,16 @@ class TeachTest {
         .isEqualTo("latency_ms must be 0 to 5000, is -1");
     assertThat(set("teach-program", "program", "'../x'").path("error").asText())
         .isEqualTo("program must be one of [actuator, ext_move_axis]");
+  }
+
+  @Test
+  void aLockedRobotIsHeldStillByIncrementsOfZero() throws Exception {
+    pages.controller().variables().set("MYAXIS.A1", "1.0");
+
+    assertThat(set("teach-still", "name", "'MYAXIS'").has("ok")).isTrue();
+    assertThat(KrlValue.parse(pages.controller().variables().get("MYAXIS.A1")).asDouble()).isZero();
+    assertThat(set("teach-still", "name", "'$OV_PRO'").path("error").asText())
+        .isEqualTo("name must be one of [MYAXIS, MYPOS]");
   }
 
   @Test

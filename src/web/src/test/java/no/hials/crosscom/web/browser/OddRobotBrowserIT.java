@@ -268,6 +268,19 @@ class OddRobotBrowserIT {
     awaitText(browser, ".increments output", "–");
   }
 
+  @Test
+  void allSlidersAreSetTo0AlsoOnALockedRobot(Browser browser) throws Exception {
+    openSliders(browser);
+    pages.controller().variables().set("MYPOS.Y", "2.5");
+    awaitText(browser, ".increments label:nth-of-type(2) output", "2.50 mm");
+    browser.click(".lock");
+    browser.await("document.querySelector('.increments input:disabled')");
+
+    browser.click(".increments button.main");
+
+    awaitText(browser, ".increments label:nth-of-type(2) output", "0.00 mm");
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"#/teach", "#/programs"})
   void theNewestValueIsWrittenAfterAFailureAndAfterTheView(String next, Browser browser)

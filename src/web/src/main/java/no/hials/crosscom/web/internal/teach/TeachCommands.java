@@ -5,10 +5,12 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.WriteAnswer;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.simulator.Controller;
@@ -33,6 +35,12 @@ public final class TeachCommands {
 
   /** The programs that move the robot by {@code MYPOS} and by {@code MYAXIS}. */
   private static final List<String> PROGRAMS = List.of("actuator", "ext_move_axis");
+
+  /** The increments of these programs, and the values with which they move nothing. */
+  private static final Map<String, String> STILL =
+      Map.of(
+          "MYPOS", "{X 0.0,Y 0.0,Z 0.0,A 0.0,B 0.0,C 0.0}",
+          "MYAXIS", "{A1 0.0,A2 0.0,A3 0.0,A4 0.0,A5 0.0,A6 0.0}");
 
   private final RobotSessions robots;
   private final Changes changes;
@@ -79,6 +87,7 @@ public final class TeachCommands {
     commands.add("teach-faults", Role.OPERATE, this::setFaults);
     commands.add("teach-fault", Role.OPERATE, this::faultOnce);
     commands.add("teach-program", Role.OPERATE, this::startProgram);
+    commands.addOvertaking("teach-still", Role.OPERATE, (call, answer) -> holdStill(call));
     commands.add("lessons", Role.VIEW, (call, answer) -> Lessons.list(answer.putArray("lessons")));
     commands.add(
         "lesson",
@@ -186,6 +195,27 @@ public final class TeachCommands {
       case "cut" -> change(call, "a fault", kind, bench -> bench.faults.cutConnections());
       default -> throw new CommandException("kind must be lose or cut");
     }
+  }
+
+  /** Sets the increments of a program to 0, which needs no unlocked robot, like a stop. */
+  private void holdStill(Call call) throws IOException {
+    String name = call.text("name");
+    String value = STILL.get(name);
+    if (value == null) {
+      throw new CommandException("name must be one of " + new TreeSet<>(STILL.keySet()));
+    }
+    RobotSession robot = robots.of(call);
+    Bench unused = bench(call); // only a simulated robot has these programs
+    changes.make(
+        call,
+        robot,
+        "write",
+        name,
+        value,
+        () -> {
+          robot.lock().checkStop("set " + name + " to 0");
+          WriteAnswer.check(name, value, robot.client().writeText(name, value));
+        });
   }
 
   /** Ends all faults, moves the robot to its start, and starts a program there in mode AUT. */

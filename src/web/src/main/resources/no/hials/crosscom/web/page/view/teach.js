@@ -5,7 +5,7 @@ import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { useReadings } from '../readings.js';
 import { call, onEvent } from '../socket.js';
-import { header, isStale, mayWrite, note, serverTime, useRobot, useSharedState, writeHint } from '../state.js';
+import { header, isStale, mayStop, mayWrite, note, serverTime, useRobot, useSharedState, writeHint } from '../state.js';
 import { numberText } from '../value.js';
 import { Waiting } from '../waiting.js';
 import { View as Robot } from './robot.js';
@@ -183,6 +183,7 @@ function Increments({ program }) {
   const [readings, stale] = useReadings('teach', [variable], READ_PERIOD);
   const [wanted, setWanted] = useState(null); // shown until the value can be read back
   const written = useRef(Infinity);
+  const change = useChange();
   const write = useWriter(variable, () => (written.current = serverTime()));
   const reading = readings[variable];
   const isBack = reading?.time > written.current;
@@ -193,9 +194,12 @@ function Increments({ program }) {
     setWanted(next);
     write(`{${fields.map((name, i) => `${name} ${next[i].toFixed(3)}`).join(',')}}`);
   };
+  // like Stop, this also works while the robot is locked
+  const still = () =>
+    mayWrite() ? set(fields.map(() => 0)) : change('teach-still', { name: variable });
   return h(
     'fieldset',
-    { class: `panel increments ${stale ? 'stale' : ''}`, disabled: !mayWrite() },
+    { class: `panel increments ${stale ? 'stale' : ''}` },
     h('legend', null, variable),
     reading?.error && h('p', { class: 'failure' }, reading.error),
     fields.map((name, i) =>
@@ -209,7 +213,7 @@ function Increments({ program }) {
           max: most[i],
           step: most[i] / STEPS,
           value: known ? values[i] : 0,
-          disabled: !known,
+          disabled: !known || !mayWrite(),
           'aria-label': `${variable}.${name} in ${units[i]} per step`,
           onInput: (event) => set(values.with(i, Number(event.target.value))),
         }),
@@ -219,7 +223,7 @@ function Increments({ program }) {
     h(
       'div',
       { class: 'buttons' },
-      h('button', { class: 'main', onClick: () => set(fields.map(() => 0)) }, 'All to 0'),
+      h('button', { class: 'main', disabled: !mayStop(), onClick: still }, 'All to 0'),
     ),
     h(
       'p',

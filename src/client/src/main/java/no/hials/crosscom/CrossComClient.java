@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
 import no.hials.crosscom.KRL.KRLAny;
@@ -532,8 +533,28 @@ public final class CrossComClient extends OriginalAccess {
    * @return a future of the result, which fails with the exception that the function throws
    */
   public <T extends @Nullable Object> CompletableFuture<T> async(CrossComFunction<T> function) {
+    return async(function, () -> true);
+  }
+
+  /**
+   * Runs operations in another thread, as {@link #async(CrossComFunction)} does, if a condition is
+   * true directly before the first exchange, when the connection has its turn. Otherwise nothing is
+   * sent, and the future is cancelled. For requests that must not be sent late.
+   *
+   * @param function gets this client
+   * @param sendIf called by the function's thread; must not block
+   * @param <T> the type of the result
+   * @return a future of the result, which fails with the exception that the function throws
+   */
+  public <T extends @Nullable Object> CompletableFuture<T> async(
+      CrossComFunction<T> function, BooleanSupplier sendIf) {
     Objects.requireNonNull(function, "function");
-    return threads.async(call -> function.apply(this));
+    Objects.requireNonNull(sendIf, "sendIf");
+    return threads.async(
+        call -> {
+          call.commitIf(sendIf);
+          return function.apply(this);
+        });
   }
 
   /**
@@ -547,9 +568,23 @@ public final class CrossComClient extends OriginalAccess {
    * @return a future of the end, which fails with the exception that the action throws
    */
   public CompletableFuture<Void> asyncRun(CrossComAction action) {
+    return asyncRun(action, () -> true);
+  }
+
+  /**
+   * Runs operations without a result in another thread if a condition is true directly before the
+   * first exchange, as {@link #async(CrossComFunction, BooleanSupplier)} does.
+   *
+   * @param action gets this client
+   * @param sendIf called by the action's thread; must not block
+   * @return a future of the end, which fails with the exception that the action throws
+   */
+  public CompletableFuture<Void> asyncRun(CrossComAction action, BooleanSupplier sendIf) {
     Objects.requireNonNull(action, "action");
+    Objects.requireNonNull(sendIf, "sendIf");
     return threads.<@Nullable Void>async(
         call -> {
+          call.commitIf(sendIf);
           action.run(this);
           return null;
         });

@@ -15,6 +15,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.KRL.KRLInt;
 import no.hials.crosscom.KRL.KRLIntArray;
@@ -133,6 +134,26 @@ class AsyncTest extends RobotTest {
     assertThat(sync.get()).isEqualTo("100");
     assertThat(client.readText("MYINT")).isEqualTo("0");
     assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
+  }
+
+  @Test
+  void aCallIsNotSentIfItsConditionIsFalseWhenItsTurnComes() throws Exception {
+    holdFirstRequest();
+    CompletableFuture<String> sync = readSynchronouslyInAnotherThread();
+    asked.await();
+    AtomicBoolean allowed = new AtomicBoolean(true);
+    CompletableFuture<String> write = client.async(c -> c.writeText("MYINT", "9"), allowed::get);
+    CompletableFuture<Void> more = client.asyncRun(c -> c.writeText("MYINT", "8"), allowed::get);
+
+    allowed.set(false);
+    release.countDown();
+
+    assertThat(sync.get()).isEqualTo("100");
+    assertThatExceptionOfType(CancellationException.class).isThrownBy(write::get);
+    assertThatExceptionOfType(CancellationException.class).isThrownBy(more::get);
+    assertThat(robot.requests()).noneMatch(RecordedRequest::isWrite);
+    allowed.set(true);
+    assertThat(client.async(c -> c.writeText("MYINT", "7"), allowed::get).get()).isEqualTo("7");
   }
 
   @Test

@@ -1,6 +1,7 @@
 package no.hials.crosscom.internal;
 
 import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 
 /** Cancels an operation of many exchanges. */
 public interface Cancellation {
@@ -15,4 +16,7 @@ public interface Cancellation {
    * not cancelled later. Calling it again does nothing.
    */
   default void commit() {}
+
+  /** Lets {@link #commit} cancel the operation if a condition is false by then. */
+  default void commitIf(BooleanSupplier condition) {}
 }

@@ -29,6 +29,9 @@ final class AsyncCall<T extends @Nullable Object> extends CallbackFuture<T>
   /** Removes the call from the queue; returns whether it was there. Set before it is queued. */
   private BooleanSupplier dequeue = () -> false;
 
+  /** Used by the thread that runs the call. */
+  private BooleanSupplier condition = () -> true;
+
   /**
    * @param callbacks completes the result, which runs the program's callbacks
    * @param ended called after the program's callbacks
@@ -86,10 +89,20 @@ final class AsyncCall<T extends @Nullable Object> extends CallbackFuture<T>
 
   @Override
   public void commit() {
-    if (state.get() != State.COMMITTED
-        && (isDone() || !state.compareAndSet(State.OPEN, State.COMMITTED))) {
+    if (state.get() == State.COMMITTED) {
+      return;
+    }
+    if (!condition.getAsBoolean()) {
+      boolean unused = cancel(false);
+    }
+    if (isDone() || !state.compareAndSet(State.OPEN, State.COMMITTED)) {
       throw cancelled();
     }
+  }
+
+  @Override
+  public void commitIf(BooleanSupplier newCondition) {
+    condition = newCondition;
   }
 
   private static CancellationException cancelled() {

@@ -3,6 +3,7 @@ package no.hials.crosscom.cell.feed;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.time.Duration;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import no.hials.crosscom.cell.AsyncCalls;
 import no.hials.crosscom.cell.AuditLog;
@@ -65,10 +66,14 @@ public final class Writes {
     if (sendWithin.isNegative() || sendWithin.isZero()) {
       throw new LateWriteException(late);
     }
-    CompletableFuture<String> answer = robot.client().async(client -> client.writeText(name, text));
+    long latest = System.nanoTime() + sendWithin.toNanos();
+    CompletableFuture<String> answer =
+        robot
+            .client()
+            .async(client -> client.writeText(name, text), () -> System.nanoTime() - latest < 0);
     try {
       return AsyncCalls.await(answer, sendWithin);
-    } catch (NotSentException e) {
+    } catch (NotSentException | CancellationException e) {
       throw new LateWriteException(late);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

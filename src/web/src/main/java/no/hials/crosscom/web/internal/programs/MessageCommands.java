@@ -83,7 +83,10 @@ public final class MessageCommands {
                 .send(
                     call,
                     "confirm all messages",
-                    () -> robot.client().asyncRun(client -> client.information().confirmAll()));
+                    sendIf ->
+                        robot
+                            .client()
+                            .asyncRun(client -> client.information().confirmAll(), sendIf));
           }
         });
   }

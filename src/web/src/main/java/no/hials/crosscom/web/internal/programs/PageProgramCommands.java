@@ -193,7 +193,7 @@ public final class PageProgramCommands {
           robot.lock().check(call, phrase);
           try {
             CrossComAction command = order.prepare(client);
-            robot.lock().send(call, phrase, () -> client.asyncRun(command));
+            robot.lock().send(call, phrase, sendIf -> client.asyncRun(command, sendIf));
           } catch (CrossComRefusedException e) {
             throw new CommandException(e.getMessage() + "; likely cause: " + likelyCause);
           }

@@ -7,6 +7,8 @@ import java.util.HashSet;
 import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import no.hials.crosscom.cell.AsyncCalls;
 import no.hials.crosscom.cell.NotSentException;
@@ -107,14 +109,19 @@ public final class Lock {
    * page is too old.
    *
    * @param what the operation, as for {@link #check}
-   * @param start lets the client send one request in another thread, without waiting for it; the
-   *     future can be cancelled until that is sent
+   * @param start lets the client send one request in another thread, without waiting for it, if the
+   *     condition is true just before; the future can be cancelled until that is sent
    * @return the result
    * @throws IOException if it was not allowed, or failed
    */
   public <T extends @Nullable Object> T send(
-      Call call, String what, Supplier<CompletableFuture<T>> start) throws IOException {
-    return send(call, what, call.timeLeft(), start);
+      Call call, String what, Function<BooleanSupplier, CompletableFuture<T>> start)
+      throws IOException {
+    return send(
+        call,
+        what,
+        call.timeLeft(),
+        () -> start.apply(() -> refusal(call).isEmpty() && !call.timeLeft().isNegative()));
   }
 
   /**
@@ -145,6 +152,7 @@ public final class Lock {
       throw new CommandException("did not " + what + ": " + e.getMessage());
     } catch (CancellationException e) {
       check(call, what);
+      call.checkAge();
       throw new CommandException("did not " + what + ": it was not allowed any more");
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();

@@ -214,7 +214,8 @@ public final class VariableCommands {
                     .send(
                         call,
                         "write " + name,
-                        () -> robot.client().async(client -> client.writeText(name, value))));
+                        sendIf ->
+                            robot.client().async(client -> client.writeText(name, value), sendIf)));
           } catch (CrossComException e) {
             if (e.isOutcomeUnknown() || e instanceof CrossComValueException) {
               throw e; // its message describes the outcome

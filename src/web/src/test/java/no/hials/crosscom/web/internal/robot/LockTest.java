@@ -44,7 +44,7 @@ class LockTest {
             lock.send(
                 new Call(viewer, Json.object().put("clock", Call.now()).put("confirmed", true)),
                 "write MYINT",
-                () -> {
+                sendIf -> {
                   closing.start();
                   while (closing.isAlive() && closing.getState() != Thread.State.BLOCKED) {
                     Thread.onSpinWait();

@@ -10,6 +10,7 @@ import java.time.Duration;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executor;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.cell.Moment;
@@ -35,6 +36,9 @@ import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(60)
 class RobotWritesTest {
+  /** The common pool may have one thread only. */
+  private static final Executor THREADS = task -> new Thread(task).start();
+
   private static final User ANNA = new User("anna", User.Role.OPERATOR, null, null);
 
   @KukaController private MockServer server;
@@ -86,7 +90,8 @@ class RobotWritesTest {
   }
 
   private CompletableFuture<Long> write(RobotWrites.Request request, String value) {
-    return CompletableFuture.supplyAsync(() -> writes.write(request, "cell1", "MYINT", value));
+    return CompletableFuture.supplyAsync(
+        () -> writes.write(request, "cell1", "MYINT", value), THREADS);
   }
 
   /** Begins a write that the robot answers when it is released. */
@@ -242,7 +247,8 @@ class RobotWritesTest {
         },
         Fault.hold(released));
     // without async, which would also wait for the write of another async
-    CompletableFuture<String> reading = CompletableFuture.supplyAsync(() -> readText("$OV_PRO"));
+    CompletableFuture<String> reading =
+        CompletableFuture.supplyAsync(() -> readText("$OV_PRO"), THREADS);
     Latches.await(arrived);
     return reading;
   }

@@ -148,9 +148,13 @@ final class Channel {
     }
   }
 
-  /** Returns the last override read, 0 to 1. */
+  /**
+   * Returns the factor of increments for the last override read, 0 to 1. The simulated robot is
+   * nearly as fast with the square root as without a factor, and stands much sooner; with the
+   * override itself it is four times slower at 10 %.
+   */
   double override() {
-    return Math.max(0, Math.min(100, override.intValue())) / 100.0;
+    return Math.sqrt(Math.max(0, Math.min(100, override.intValue())) / 100.0);
   }
 
   /** Reads the software limits of the controller's axes. */

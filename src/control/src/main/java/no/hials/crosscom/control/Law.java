@@ -29,8 +29,8 @@ public sealed interface Law {
   @FunctionalInterface
   non-sealed interface CartesianVelocity extends Law {
     /**
-     * Returns the desired velocity, which the override {@code $OV_PRO} scales if the loop sends
-     * increments.
+     * Returns the desired velocity. If the loop sends increments, it shortens them by the square
+     * root of the override {@code $OV_PRO}.
      *
      * @param state the state of the robot, and the time
      * @return the desired velocity of the tool, along and about the axes of {@code $BASE}
@@ -56,8 +56,8 @@ public sealed interface Law {
   @FunctionalInterface
   non-sealed interface JointVelocity extends Law {
     /**
-     * Returns the desired velocities, which the override {@code $OV_PRO} scales if the loop sends
-     * increments.
+     * Returns the desired velocities. If the loop sends increments, it shortens them by the square
+     * root of the override {@code $OV_PRO}.
      *
      * @param state the state of the robot, and the time
      * @return the desired axis velocities, degrees/s

@@ -129,9 +129,8 @@ abstract sealed class Space<P> {
   }
 
   /**
-   * Returns whether the override applies to increments, as it does to all speeds on the controller:
-   * otherwise the robot would need too long for the steps that are planned when it is told to
-   * stand.
+   * Returns whether the override applies to increments: otherwise the robot would need too long for
+   * the steps that are planned when it is told to stand.
    */
   final boolean scalesIncrements() {
     return isVelocity && followed.increment();

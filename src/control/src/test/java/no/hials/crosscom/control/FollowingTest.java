@@ -286,7 +286,7 @@ class FollowingTest extends ControlTest {
             space.law(state -> full, 30, 30));
 
     assertThat(end.kind()).isEqualTo(StopKind.TIME_OVER);
-    controller.step(Duration.ofMillis(500));
+    controller.step(Duration.ofMillis(700));
     Axis soon = controller.axes();
     assertThat(soon.largestDifference(START)).isGreaterThan(0.1);
     controller.step(Duration.ofSeconds(5));

@@ -153,7 +153,7 @@ final class Channel {
    * nearly as fast with the square root as without a factor, and stands much sooner; with the
    * override itself it is four times slower at 10 %.
    */
-  double override() {
+  double incrementFactor() {
     return Math.sqrt(Math.max(0, Math.min(100, override.intValue())) / 100.0);
   }
 

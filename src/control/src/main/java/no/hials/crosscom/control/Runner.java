@@ -312,7 +312,7 @@ final class Runner<P> {
       return space.numbers(desired);
     }
     double part =
-        config.part(space.isVelocity) * (space.scalesIncrements() ? channel.override() : 1);
+        config.part(space.isVelocity) * (space.scalesIncrements() ? channel.incrementFactor() : 1);
     double[] increment = space.increment(actual, desired, part);
     if (space.cut(increment)) {
       meter.cut();

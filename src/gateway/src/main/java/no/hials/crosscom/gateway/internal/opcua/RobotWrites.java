@@ -134,20 +134,21 @@ final class RobotWrites {
       return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_NodeIdUnknown;
     }
     if (!request.isWanted().getAsBoolean()) {
-      refuse(request, robot, variable, text, "not written: the session of the client has ended");
+      refuse(
+          request, robotName, variable, text, "not written: the session of the client has ended");
       return StatusCodes.Bad_SessionClosed;
     }
     if (request.afterPause()) {
-      refuse(request, robot, variable, text, "not written: " + Pauses.REASON);
+      refuse(request, robotName, variable, text, "not written: " + Pauses.REASON);
       return StatusCodes.Bad_RequestTimeout;
     }
     long now = nanoTime.getAsLong();
     if (now - request.latest() > 0) {
-      refuse(request, robot, variable, text, TOO_LATE);
+      refuse(request, robotName, variable, text, TOO_LATE);
       return StatusCodes.Bad_TooManyOperations;
     }
     if (now - request.givenUp() > 0) {
-      refuse(request, robot, variable, text, "not written: the client no longer waits for it");
+      refuse(request, robotName, variable, text, "not written: the client no longer waits for it");
       return StatusCodes.Bad_RequestTimeout;
     }
     try {
@@ -176,21 +177,14 @@ final class RobotWrites {
 
   private void refuse(
       Request request, String robotName, String variable, String text, String reason) {
+    results.labelValues("refused").inc();
     RobotFeed robot = context.robot(robotName);
-    if (robot != null) {
-      refuse(request, robot, variable, text, reason);
-      return;
+    if (robot == null) {
+      context.writes().refused(request.who(), robotName, variable, text, reason);
+    } else {
+      context.writes().refused(request.who(), robot, variable, text, reason);
     }
-    results.labelValues("refused").inc();
-    context.writes().refused(request.who(), robotName, variable, text, reason);
     log(request, robotName, variable, text, reason);
-  }
-
-  private void refuse(
-      Request request, RobotFeed robot, String variable, String text, String reason) {
-    results.labelValues("refused").inc();
-    context.writes().refused(request.who(), robot, variable, text, reason);
-    log(request, robot.name(), variable, text, reason);
   }
 
   private static void log(

@@ -95,10 +95,6 @@ public final class CommandQueue implements AutoCloseable {
               who, robot, variable, "the value has more than " + LONGEST_VALUE + " characters"));
       return;
     }
-    if (pauses.isJustOver()) {
-      result.accept(refuse(who, feed, variable, value, "not executed: " + Pauses.REASON));
-      return;
-    }
     if (expiry != null && expiry.isZero()) {
       result.accept(refuse(who, feed, variable, value, "not executed: it had expired"));
       return;
@@ -107,7 +103,12 @@ public final class CommandQueue implements AutoCloseable {
         expiry != null && expiry.compareTo(RobotThreads.LONGEST_WAIT) < 0
             ? expiry
             : RobotThreads.LONGEST_WAIT;
-    long latest = nanoTime.getAsLong() + longest.toNanos();
+    Duration pause = pauses.justOver();
+    if (pause.compareTo(longest) >= 0) {
+      result.accept(refuse(who, feed, variable, value, "not executed: " + Pauses.reason(pause)));
+      return;
+    }
+    long latest = nanoTime.getAsLong() + longest.minus(pause).toNanos();
     String late = longest.equals(RobotThreads.LONGEST_WAIT) ? TOO_LATE : EXPIRED;
     try {
       threads

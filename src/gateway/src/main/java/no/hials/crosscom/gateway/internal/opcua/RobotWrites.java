@@ -48,10 +48,9 @@ final class RobotWrites {
    * @param latest the time up to which its writes may begin
    * @param givenUp the time at which the client stops waiting for the answer
    * @param isWanted whether its session still exists
-   * @param afterPause whether it arrived after a pause of the gateway, so that its age is unknown
+   * @param pause how long the gateway was frozen just before the request arrived, or zero
    */
-  record Request(
-      String who, long latest, long givenUp, BooleanSupplier isWanted, boolean afterPause) {}
+  record Request(String who, long latest, long givenUp, BooleanSupplier isWanted, Duration pause) {}
 
   RobotWrites(GatewayContext context) {
     this(context, System::nanoTime, Pauses.start());
@@ -74,14 +73,16 @@ final class RobotWrites {
    * @param timeout how long the client waits for its answer; zero if it does not tell
    */
   Request request(User user, Duration timeout, BooleanSupplier isWanted) {
-    long now = nanoTime.getAsLong();
-    long latest = now + RobotThreads.LONGEST_WAIT.toNanos();
+    Duration pause = pauses.justOver();
+    // it may have been sent before the pause
+    long sent = nanoTime.getAsLong() - pause.toNanos();
+    long latest = sent + RobotThreads.LONGEST_WAIT.toNanos();
     return new Request(
         "opcua:" + user.name(),
         latest,
-        timeout.isZero() ? latest : now + timeout.toNanos(),
+        timeout.isZero() ? latest : sent + timeout.toNanos(),
         isWanted,
-        pauses.isJustOver());
+        pause);
   }
 
   /** Writes a value, waits for the result, and returns its status. */
@@ -138,11 +139,12 @@ final class RobotWrites {
           request, robotName, variable, text, "not written: the session of the client has ended");
       return StatusCodes.Bad_SessionClosed;
     }
-    if (request.afterPause()) {
-      refuse(request, robotName, variable, text, "not written: " + Pauses.REASON);
+    long now = nanoTime.getAsLong();
+    boolean isLate = now - request.latest() >= 0 || now - request.givenUp() >= 0;
+    if (isLate && !request.pause().isZero()) {
+      refuse(request, robotName, variable, text, "not written: " + Pauses.reason(request.pause()));
       return StatusCodes.Bad_RequestTimeout;
     }
-    long now = nanoTime.getAsLong();
     if (now - request.latest() > 0) {
       refuse(request, robotName, variable, text, TOO_LATE);
       return StatusCodes.Bad_TooManyOperations;

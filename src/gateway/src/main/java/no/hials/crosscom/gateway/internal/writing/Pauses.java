@@ -14,13 +14,11 @@ import no.hials.crosscom.cell.Moment;
  * have waited in a buffer of the network, so that nobody knows how old it is. Thread-safe.
  */
 public final class Pauses implements AutoCloseable {
-  /** The reason for the refusal of a write that arrives after a pause. */
-  public static final String REASON =
-      "the gateway was frozen for more than "
-          + RobotThreads.LONGEST_WAIT.toSeconds()
-          + " s just before, so that nobody knows how old it is";
-
   private static final long BEAT_MILLIS = 250;
+
+  /** Two beats. A shorter pause is one of the scheduler. */
+  private static final Duration SHORTEST = Duration.ofMillis(2 * BEAT_MILLIS);
+
   private static final Duration AFTER = Duration.ofSeconds(2);
 
   private final Supplier<Moment> clock;
@@ -32,6 +30,7 @@ public final class Pauses implements AutoCloseable {
             return thread;
           });
   private Moment lastBeat;
+  private Duration length = Duration.ZERO;
 
   /** The end of the time after a pause, by {@link Moment#nanos}. */
   private long suspectUntil;
@@ -52,16 +51,25 @@ public final class Pauses implements AutoCloseable {
     return pauses;
   }
 
-  /** Returns whether what arrives now may have waited while the process was frozen. */
-  public synchronized boolean isJustOver() {
+  /** Returns how long what arrives now may have waited while the process was frozen, or zero. */
+  public synchronized Duration justOver() {
     // the first thread that runs again need not be that of the beats
     beat();
-    return lastBeat.nanos() - suspectUntil < 0;
+    return lastBeat.nanos() - suspectUntil < 0 ? length : Duration.ZERO;
+  }
+
+  /** Returns the reason for the refusal of a write that can be too old because of a pause. */
+  public static String reason(Duration pause) {
+    return "the gateway was frozen for %.1f s just before it arrived, so that it can be too old"
+        .formatted(pause.toMillis() / 1000.0);
   }
 
   synchronized void beat() {
     Moment now = clock.get();
-    if (now.nanosSince(lastBeat) > RobotThreads.LONGEST_WAIT.toNanos()) {
+    Duration pause = Duration.ofNanos(now.nanosSince(lastBeat));
+    if (pause.compareTo(SHORTEST) > 0) {
+      boolean again = lastBeat.nanos() - suspectUntil < 0;
+      length = again ? length.plus(pause) : pause;
       suspectUntil = now.nanos() + AFTER.toNanos();
     }
     lastBeat = now;

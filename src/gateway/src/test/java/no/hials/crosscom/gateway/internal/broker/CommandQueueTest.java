@@ -181,24 +181,46 @@ class CommandQueueTest {
                 new OneRobotContext(plant, feed, folder, new Health()),
                 now::get,
                 new Pauses(() -> new Moment(now.get(), 0)))) {
-      now.addAndGet(Duration.ofSeconds(5).toNanos() + 1);
-      queue.execute("test", "cell1", "MYINT", "2", null, results::add);
-      now.addAndGet(Duration.ofSeconds(2).toNanos());
+      // the queue was created before this time, as if it had been frozen since then
+      now.addAndGet(Duration.ofMillis(600).toNanos());
+      queue.execute("test", "cell1", "MYINT", "2", Duration.ofMillis(600), results::add);
       queue.execute("test", "cell1", "MYINT", "3", null, results::add);
       String reason =
-          "not executed: the gateway was frozen for more than 5 s just before, so that nobody knows"
-              + " how old it is";
+          "not executed: the gateway was frozen for 0.6 s just before it arrived, so that it can be"
+              + " too old";
       assertThat(results.take()).isEqualTo(reason);
       assertThat(results.take()).isEqualTo("done");
 
-      now.addAndGet(Duration.ofSeconds(5).toNanos());
+      now.addAndGet(Duration.ofMillis(4400).toNanos());
       queue.execute("test", "cell1", "MYINT", "4", null, results::add);
 
-      assertThat(results.take()).isEqualTo("done");
+      assertThat(results.take()).contains("frozen for 5.0 s");
       assertThat(Files.readString(folder.resolve("audit.jsonl")))
           .contains("\"after\":\"2\",\"result\":\"" + reason);
     }
-    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(2);
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+    assertThat(server.variables().get("MYINT")).isEqualTo("3");
+  }
+
+  @Test
+  void twoPausesCountTogether() {
+    AtomicLong now = new AtomicLong();
+    Pauses pauses = new Pauses(() -> new Moment(now.get(), 0));
+
+    now.addAndGet(Duration.ofMillis(500).toNanos());
+    assertThat(pauses.justOver()).isZero();
+    now.addAndGet(Duration.ofMillis(501).toNanos());
+    assertThat(pauses.justOver()).hasMillis(501);
+    now.addAndGet(Duration.ofSeconds(1).toNanos());
+    assertThat(pauses.justOver()).hasMillis(1501);
+    now.addAndGet(Duration.ofMillis(2001).toNanos());
+    assertThat(pauses.justOver()).hasMillis(3502);
+    for (int i = 0; i < 3; i++) {
+      now.addAndGet(Duration.ofMillis(500).toNanos());
+      assertThat(pauses.justOver()).hasMillis(3502);
+    }
+    now.addAndGet(Duration.ofMillis(500).toNanos());
+    assertThat(pauses.justOver()).isZero();
   }
 
   /** The parts of a gateway that has not started its robots yet. */

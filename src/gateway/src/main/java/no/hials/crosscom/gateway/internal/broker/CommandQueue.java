@@ -144,12 +144,13 @@ public final class CommandQueue implements AutoCloseable {
 
   private String write(
       String who, RobotFeed feed, String variable, String value, Duration sendWithin) {
-    String text = value.strip();
-    boolean isText = feed.lastValue(variable).filter(KrlString.class::isInstance).isPresent();
+    String text;
     try {
-      if (isText && !text.startsWith("\"")) {
-        text = new KrlString(value).print();
-      }
+      text = toKrl(feed, variable, value);
+    } catch (IllegalArgumentException e) {
+      return refuse(who, feed, variable, value, "not executed: " + e.getMessage());
+    }
+    try {
       context.writes().write(who, context.plant(), feed, variable, text, sendWithin);
       counter.labelValues("done").inc();
       return "done";
@@ -160,6 +161,12 @@ public final class CommandQueue implements AutoCloseable {
       LOG.warn("{}: {} {}: {}", who, feed.name(), variable, e.getMessage());
       return String.valueOf(e.getMessage());
     }
+  }
+
+  private static String toKrl(RobotFeed feed, String variable, String value) {
+    String text = value.strip();
+    boolean isText = feed.lastValue(variable).filter(KrlString.class::isInstance).isPresent();
+    return isText && !text.startsWith("\"") ? new KrlString(value).print() : text;
   }
 
   /** Refuses the commands that wait, and waits a short time for a running one. */

@@ -44,8 +44,14 @@ class CommandQueueTest {
         [robots.cell1]
         host = "%s:%d"
         timeout = "50s"
+        [groups.texts]
+        variables = ["MYSTRING[]"]
+        period = "100ms"
         [variables.MYINT]
         range = [0, 10]
+        write = true
+        [variables."MYSTRING[]"]
+        values = ["abc"]
         write = true
         """
             .formatted(server.host(), server.port());
@@ -200,6 +206,31 @@ class CommandQueueTest {
     }
     assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
     assertThat(server.variables().get("MYINT")).isEqualTo("3");
+  }
+
+  @Test
+  void aTextWithAQuoteIsRefusedWithALineInTheAuditLog() throws Exception {
+    server.variables().set("MYSTRING[]", "\"x\"");
+    Plant plant = plant();
+    CountDownLatch read = new CountDownLatch(1);
+    BlockingQueue<String> results = new LinkedBlockingQueue<>();
+    try (RobotFeed feed =
+            RobotFeed.open(
+                plant.plans().get(0), RobotConnection::open, (one, updates) -> read.countDown());
+        CommandQueue queue =
+            new CommandQueue(new OneRobotContext(plant, feed, folder, new Health()))) {
+      feed.start();
+      read.await();
+      queue.execute("test", "cell1", "MYSTRING[]", "a\"b", null, results::add);
+      queue.execute("test", "cell1", "MYSTRING[]", "abc", null, results::add);
+
+      String reason = "not executed: a CHAR array cannot hold a double quote";
+      assertThat(results.take()).startsWith(reason);
+      assertThat(results.take()).isEqualTo("done");
+      assertThat(Files.readString(folder.resolve("audit.jsonl")))
+          .contains("\"after\":\"a\\\"b\",\"result\":\"" + reason);
+    }
+    assertThat(server.variables().get("MYSTRING[]")).isEqualTo("\"abc\"");
   }
 
   @Test

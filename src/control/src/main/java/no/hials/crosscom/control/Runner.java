@@ -298,7 +298,12 @@ final class Runner<P> {
     }
     State state =
         new State(
-            lawPeriods * period / 1e9, period / 1e9, channel.joints(), channel.frame(), input);
+            lawPeriods * period / 1e9,
+            period / 1e9,
+            channel.joints(),
+            channel.frame(),
+            space.scalesIncrements() ? channel.incrementFactor() : 1,
+            input);
     P desired = ask(state, actual);
     checkAge("the age of %s after the law must be at most %s %s, is %s", begin);
     P from = previous == null || space.isVelocity ? actual : previous;
@@ -311,8 +316,7 @@ final class Runner<P> {
     if (!target.increment()) {
       return space.numbers(desired);
     }
-    double part =
-        config.part(space.isVelocity) * (space.scalesIncrements() ? channel.incrementFactor() : 1);
+    double part = config.part(space.isVelocity) * state.incrementFactor();
     double[] increment = space.increment(actual, desired, part);
     if (space.cut(increment)) {
       meter.cut();

@@ -14,6 +14,9 @@ import no.hials.crosscom.protocol.value.Frame;
  *     Safety#checkInterval} old for a Cartesian law
  * @param position the tool in {@code $BASE}, {@code $POS_ACT}: read in this period for a Cartesian
  *     law, up to {@link Safety#checkInterval} old for a joint law
+ * @param incrementFactor the factor by which the loop shortens the increments of a velocity law,
+ *     because of the override, 0 to 1; 1 if it does not
  * @param input the state of the input device; {@link Input#NONE} without a device
  */
-public record State(double time, double period, Axis axes, Frame position, Input input) {}
+public record State(
+    double time, double period, Axis axes, Frame position, double incrementFactor, Input input) {}

@@ -4,7 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import java.time.Duration;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.input.Input;
 import no.hials.crosscom.protocol.code.OperatingMode;
@@ -279,13 +281,21 @@ class FollowingTest extends ControlTest {
     controller.variables().set("$OV_PRO", "10");
     Input full =
         new Input(List.of(0.0, 0.0, 0.0, 0.0, 0.0, 1.0), List.of(), true, System.nanoTime());
+    Set<Double> factors = new HashSet<>();
 
     StopReason end =
         runLoop(
             LoopConfig.create(cfg -> cfg.period(PERIOD).noInput().duration(Duration.ofSeconds(1))),
-            space.law(state -> full, 30, 30));
+            space.law(
+                state -> {
+                  factors.add(state.incrementFactor());
+                  return full;
+                },
+                30,
+                30));
 
     assertThat(end.kind()).isEqualTo(StopKind.TIME_OVER);
+    assertThat(factors).containsOnly(Math.sqrt(0.1));
     controller.step(Duration.ofMillis(700));
     Axis soon = controller.axes();
     assertThat(soon.largestDifference(START)).isGreaterThan(0.1);

@@ -72,7 +72,12 @@ final class Endurance implements Experiment {
   /** Returns the state whose set point is the start position. */
   private static State beforeStart(State state) {
     return new State(
-        -state.period(), state.period(), state.axes(), state.position(), state.input());
+        -state.period(),
+        state.period(),
+        state.axes(),
+        state.position(),
+        state.incrementFactor(),
+        state.input());
   }
 
   private static List<ExperimentResult.Figure> figures(

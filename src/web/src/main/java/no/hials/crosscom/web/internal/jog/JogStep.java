@@ -20,15 +20,20 @@ record JogStep(DriveSpace space, Press press, State start) {
   static final double TOLERANCE = 0.01;
 
   /**
-   * The speed for a remaining distance, 1/s. The robot shows a command two or three steps of its
-   * program later, so that a higher rate would move it too far.
+   * The speed for a remaining distance, 1/s, with increments of full length. The robot shows a
+   * command two or three steps of its program later, so that a higher rate would move it too far.
    */
   private static final double RATE = 10;
 
   /** Returns the deflection, 0 to 1; 0 at the end of the step. */
   double deflection(State now, double fullSpeed) {
     double remaining = press.step() - press.signed(moved(now));
-    return remaining <= TOLERANCE ? 0 : Math.min(press.speed(), remaining * RATE / fullSpeed);
+    if (remaining <= TOLERANCE) {
+      return 0;
+    }
+    // with shorter increments the rate can be higher by as much; at an override of 0 there are none
+    double rate = RATE / Math.max(0.1, now.incrementFactor());
+    return Math.min(press.speed(), remaining * rate / fullSpeed);
   }
 
   /** Returns the distance from the start in the direction of the press. */

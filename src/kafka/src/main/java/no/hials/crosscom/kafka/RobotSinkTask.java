@@ -31,7 +31,8 @@ import org.slf4j.LoggerFactory;
  * Writes records in four steps: it holds them, lets Connect commit their offset with a claim, reads
  * the claim back from the brokers, and then writes each record once, while the lease that the
  * answer started lasts. A record is written only after it is claimed, only by the task that claimed
- * it, and only while the plant of the task is that of the file on its worker.
+ * it, and only while the plant of the task is that of the file on its worker. A claim lasts for one
+ * batch: records that were not tried in it are released, and claimed again with newer ones.
  */
 public final class RobotSinkTask extends SinkTask {
   private static final Logger LOG = LoggerFactory.getLogger(RobotSinkTask.class);
@@ -55,6 +56,12 @@ public final class RobotSinkTask extends SinkTask {
   private @Nullable Lease lease;
   private boolean requested;
   private long requestedAt;
+
+  /** Whether a commit that the task did not ask for gives up a claim that is not used yet. */
+  private boolean cautious = true;
+
+  /** Whether claimed records may have been tried; stays so if that fails. */
+  private boolean writing;
 
   /** Creates a task that Connect starts. */
   public RobotSinkTask() {}
@@ -132,35 +139,36 @@ public final class RobotSinkTask extends SinkTask {
   @Override
   public void put(Collection<SinkRecord> records) {
     for (SinkRecord record : records) {
+      if (claims().isSettled(record)) {
+        continue;
+      }
       if (claims().isUnknown(record)) {
         report(record, new UnknownOutcomeException());
       } else {
         claims().hold(record);
       }
     }
-    if (claims().isEmpty()) {
-      context.resume(claims().assigned());
-      return;
-    }
     // before a claim too: what is not claimed stays for the task with the new plant
-    if (!writer().isCurrent()) {
+    if (!claims().isEmpty() && !writer().isCurrent()) {
+      requested = false;
+      if (claims().hasClaimed()) {
+        release();
+      }
       context.pause(claims().assigned());
       context.timeout(OUTDATED_MILLIS);
       return;
     }
-    if (claims().hasClaimed() && isVerified()) {
-      writeClaimed();
-    }
     if (!claims().hasClaimed()) {
       requestClaim();
+    } else if (isVerified()) {
+      writeClaimed();
     } else if (System.nanoTime() - requestedAt > REPEAT_NANOS) {
       LOG.warn("the offsets are not committed yet: nothing is written");
       requestCommit();
     }
-    if (claims().isEmpty()) {
-      context.resume(claims().assigned());
-    } else {
-      context.pause(claims().assigned());
+    context.resume(claims().assigned());
+    context.pause(claims().full());
+    if (!claims().isEmpty()) {
       context.timeout(WAIT_MILLIS);
     }
   }
@@ -170,6 +178,13 @@ public final class RobotSinkTask extends SinkTask {
       requested = true;
       requestCommit();
     }
+  }
+
+  /** Gives up the claim: if it stayed, it would look like that of a task that has ended. */
+  private void release() {
+    writing = false;
+    claims().release();
+    requestCommit();
   }
 
   private void requestCommit() {
@@ -184,6 +199,11 @@ public final class RobotSinkTask extends SinkTask {
       requested = false;
       claims().claim();
       context.timeout(WAIT_MILLIS);
+    } else if (claims().hasClaimed() && !writing && cautious) {
+      // it can be the last commit before the partitions are closed; not each time, or a short
+      // offset.flush.interval.ms would leave no claim
+      cautious = false;
+      claims().release();
     }
     return claims().offsets(currentOffsets);
   }
@@ -193,6 +213,8 @@ public final class RobotSinkTask extends SinkTask {
   }
 
   private void writeClaimed() {
+    cautious = true;
+    writing = true;
     List<SinkRecord> claimed = claims().claimed();
     Map<SinkRecord, Optional<Exception>> outcomes = writer().write(claimed);
     for (SinkRecord record : claimed) {
@@ -202,11 +224,7 @@ public final class RobotSinkTask extends SinkTask {
         claims().settle(record);
       }
     }
-    if (!claims().hasClaimed()) {
-      writer().forgetSilent();
-      // otherwise the claim would look like that of a task that has ended
-      requestCommit();
-    }
+    release();
   }
 
   /** Puts a record on the dead-letter topic, and waits until it is there. */

@@ -1,5 +1,7 @@
 package no.hials.crosscom.kafka.internal;
 
+import static java.util.Objects.requireNonNull;
+
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.Collection;
@@ -8,39 +10,45 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.NavigableMap;
+import java.util.Optional;
+import java.util.TreeMap;
 import java.util.UUID;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import no.hials.crosscom.cell.Moment;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.sink.SinkRecord;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
  * The records of a sink task and their claims. Before records are written, their offset is
- * committed together with a claim, in the metadata of the offset: the owner, and the offsets where
- * the claim begins and ends. Only the member of the group that has the partition can commit, and
- * only an owner that reads its own claim back may write. A claim found when a partition is assigned
- * belongs to a task that ended before it finished: whether its records were written is unknown. Not
- * thread-safe.
+ * committed together with a {@link Claim}, in the metadata of the offset. Only the member of the
+ * group that has the partition can commit, and only an owner that reads its own claim back may
+ * write. A claim found when a partition is assigned belongs to a task that ended before it
+ * finished: whether its records were written is unknown. Records that a task did not try are
+ * released: then the next task writes them. Not thread-safe.
  */
 public final class Claims implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Claims.class);
-  private static final Pattern METADATA =
-      Pattern.compile("jopenshowvar (\\S+) from (\\d+) to (\\d+)");
+
+  /** The number of held records from which no more of the partition are asked for. */
+  private static final int MOST_HELD = 500;
 
   private final Admin admin;
   private final String group;
   private final Duration patience;
   private final String owner = UUID.randomUUID().toString();
   private final Map<TopicPartition, Partition> partitions = new LinkedHashMap<>();
+
+  /** Tells the claims of this task apart: a commit that comes late must not prove a newer one. */
+  private long number;
 
   /** Why the offsets could not be read the last time, so that it is logged once. */
   private String complaint = "";
@@ -52,8 +60,39 @@ public final class Claims implements AutoCloseable {
     /** The end of the claim; records below it may be written once the claim is verified. */
     private long claimed;
 
-    /** The end of the records whose outcome is unknown. */
+    /** The end of the records that the task before had claimed. */
     private long unknown;
+
+    /** The records that the task before had written or reported. */
+    private NavigableMap<Long, Long> settledBefore = new TreeMap<>();
+
+    boolean isSettled(long offset) {
+      Map.Entry<Long, Long> before = settledBefore.floorEntry(offset);
+      return before != null && offset < before.getValue();
+    }
+
+    /** Returns the settled records after the first one that is not settled. */
+    NavigableMap<Long, Long> settled(long position) {
+      NavigableMap<Long, Long> settled = new TreeMap<>();
+      long end = first(position);
+      for (SinkRecord record : held) {
+        if (record.originalKafkaOffset() > end) {
+          settled.put(end, record.originalKafkaOffset());
+        }
+        end = record.originalKafkaOffset() + 1;
+      }
+      if (end < position) {
+        settled.put(end, position);
+      }
+      long seen = Math.max(end, position);
+      settledBefore.forEach(
+          (start, stop) -> {
+            if (stop > seen) {
+              settled.put(Math.max(start, seen), stop);
+            }
+          });
+      return settled;
+    }
 
     /** Returns the first record that is not settled, or the end. */
     long first(long end) {
@@ -90,19 +129,30 @@ public final class Claims implements AutoCloseable {
    * @throws ConnectException if the offsets of the group cannot be read
    */
   public Map<TopicPartition, Long> open(Collection<TopicPartition> added, Duration longest) {
+    return open(added, committed(longest));
+  }
+
+  Map<TopicPartition, Long> open(
+      Collection<TopicPartition> added, Map<TopicPartition, OffsetAndMetadata> committed) {
     Map<TopicPartition, Long> back = new HashMap<>();
-    Map<TopicPartition, OffsetAndMetadata> committed = committed(longest);
     for (TopicPartition one : added) {
       Partition partition = new Partition();
       partitions.put(one, partition);
-      OffsetAndMetadata offset = committed.get(one);
-      Matcher claim = METADATA.matcher(offset == null ? "" : offset.metadata());
-      if (claim.matches() && Long.parseLong(claim.group(2)) < Long.parseLong(claim.group(3))) {
-        partition.unknown = Long.parseLong(claim.group(3));
-        back.put(one, Long.parseLong(claim.group(2)));
-      }
+      claim(committed.get(one))
+          .ifPresent(
+              claim -> {
+                partition.unknown = claim.to();
+                partition.settledBefore = claim.settled();
+                if (claim.from() < claim.to()) {
+                  back.put(one, claim.from());
+                }
+              });
     }
     return back;
+  }
+
+  private static Optional<Claim> claim(@Nullable OffsetAndMetadata offset) {
+    return Claim.parse(offset == null ? "" : offset.metadata());
   }
 
   /**
@@ -122,7 +172,13 @@ public final class Claims implements AutoCloseable {
     return left;
   }
 
-  /** Returns whether another task may have written a record. */
+  /** Returns whether another task has written or reported a record. */
+  public boolean isSettled(SinkRecord record) {
+    Partition partition = partitions.get(of(record));
+    return partition != null && partition.isSettled(record.originalKafkaOffset());
+  }
+
+  /** Returns whether another task may have written a record, unless it is settled. */
   public boolean isUnknown(SinkRecord record) {
     Partition partition = partitions.get(of(record));
     return partition != null && record.originalKafkaOffset() < partition.unknown;
@@ -149,11 +205,24 @@ public final class Claims implements AutoCloseable {
 
   /** Claims all held records. The claim is valid once it is committed and verified. */
   public void claim() {
+    number++;
     for (Partition partition : partitions.values()) {
       if (!partition.held.isEmpty()) {
         partition.claimed = partition.held.getLast().originalKafkaOffset() + 1;
       }
     }
+  }
+
+  /**
+   * Gives up the claim of the records that are not settled, none of which was tried. The partition
+   * that came first is the last one of the next claim.
+   */
+  public void release() {
+    number++;
+    partitions.values().forEach(one -> one.claimed = 0);
+    partitions.keySet().stream()
+        .findFirst()
+        .ifPresent(first -> partitions.put(first, requireNonNull(partitions.remove(first))));
   }
 
   /** Returns the offsets to commit, with the claims. */
@@ -174,8 +243,12 @@ public final class Claims implements AutoCloseable {
     long from = partition.first(position);
     // unknown outcomes stay claimed until reported: Connect commits all partitions together
     long to = partition.hasClaimed() ? partition.claimed : Math.max(from, partition.unknown);
-    return new OffsetAndMetadata(
-        Math.min(to, position), "jopenshowvar " + owner + " from " + from + " to " + to);
+    Claim claim = new Claim(id(), from, to, partition.settled(position)).fitting();
+    return new OffsetAndMetadata(Math.min(claim.to(), position), claim.print());
+  }
+
+  private String id() {
+    return owner + "-" + number;
   }
 
   /**
@@ -197,21 +270,21 @@ public final class Claims implements AutoCloseable {
       complaint = message;
       return false;
     }
-    for (Map.Entry<TopicPartition, Partition> one : partitions.entrySet()) {
-      Partition partition = one.getValue();
-      if (partition.hasClaimed()) {
-        OffsetAndMetadata offset = committed.get(one.getKey());
-        Matcher claim = METADATA.matcher(offset == null ? "" : offset.metadata());
-        if (offset == null
-            || offset.offset() != partition.claimed
-            || !claim.matches()
-            || !claim.group(1).equals(owner)) {
-          return false;
-        }
-      }
+    if (!areCommitted(committed)) {
+      return false;
     }
     lease.renew(moment);
     return true;
+  }
+
+  boolean areCommitted(Map<TopicPartition, OffsetAndMetadata> committed) {
+    return partitions.entrySet().stream()
+        .filter(one -> one.getValue().hasClaimed())
+        .allMatch(
+            one ->
+                claim(committed.get(one.getKey()))
+                    .filter(it -> it.owner().equals(id()) && it.to() >= one.getValue().claimed)
+                    .isPresent());
   }
 
   /** Returns the records that are claimed and not settled, those of a partition in their order. */
@@ -233,6 +306,14 @@ public final class Claims implements AutoCloseable {
   /** Returns the assigned partitions. */
   public TopicPartition[] assigned() {
     return partitions.keySet().toArray(TopicPartition[]::new);
+  }
+
+  /** Returns the partitions of which enough records are held. */
+  public TopicPartition[] full() {
+    return partitions.entrySet().stream()
+        .filter(one -> one.getValue().held.size() >= MOST_HELD)
+        .map(Map.Entry::getKey)
+        .toArray(TopicPartition[]::new);
   }
 
   /** Returns the committed offsets of the group. */

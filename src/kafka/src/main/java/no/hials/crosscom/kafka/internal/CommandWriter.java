@@ -9,8 +9,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -35,18 +33,22 @@ import org.slf4j.LoggerFactory;
 
 /**
  * Writes each record once: the records of one robot in their order, and different robots at the
- * same time, so that a silent robot does not delay the others. Connects to a robot only while there
- * are records for it.
+ * same time. The records are written in batches that have a time limit, so that a slow robot does
+ * not delay the others for longer than one access. Connects to a robot only while there are records
+ * for it.
  */
 public final class CommandWriter implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(CommandWriter.class);
+
+  /** The time from the start of a batch after which no further record of it is sent. */
+  private static final Duration LIMIT = Duration.ofMillis(500);
 
   private final TaskPlant plant;
   private final Writes writes;
   private final Lease lease;
   private final Duration maxAge;
+  private final Duration limit;
   private final LongSupplier millis;
-  private final Set<String> silent = ConcurrentHashMap.newKeySet();
   private final ExecutorService threads =
       Executors.newCachedThreadPool(
           task -> {
@@ -63,25 +65,34 @@ public final class CommandWriter implements AutoCloseable {
    * @param maxAge the maximum difference between the timestamp of a record and the current time
    */
   public CommandWriter(TaskPlant plant, Writes writes, Lease lease, Duration maxAge) {
-    this(plant, writes, lease, maxAge, System::currentTimeMillis);
+    this(plant, writes, lease, maxAge, LIMIT, System::currentTimeMillis);
   }
 
-  CommandWriter(TaskPlant plant, Writes writes, Lease lease, Duration maxAge, LongSupplier millis) {
+  CommandWriter(
+      TaskPlant plant,
+      Writes writes,
+      Lease lease,
+      Duration maxAge,
+      Duration limit,
+      LongSupplier millis) {
     this.plant = plant;
     this.writes = writes;
     this.lease = lease;
     this.maxAge = maxAge;
+    this.limit = limit;
     this.millis = millis;
   }
 
   /**
-   * Writes records while the lease is held and the plant is that of the file.
+   * Writes records as one batch, while the lease is held and the plant is that of the file. After
+   * the time limit no further record is sent, except the first one of each robot.
    *
    * @return the result of each finished record: empty if it was written, otherwise the reason why
    *     not. A record without a result was not sent
    * @throws ConnectException if the outcome of the records is unknown
    */
   public Map<SinkRecord, Optional<Exception>> write(Collection<SinkRecord> records) {
+    long end = System.nanoTime() + limit.toNanos();
     Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
     Map<String, Map<SinkRecord, SinkCommand>> robots = new LinkedHashMap<>();
     for (SinkRecord record : records) {
@@ -93,7 +104,8 @@ public final class CommandWriter implements AutoCloseable {
       }
     }
     List<Future<Map<SinkRecord, Optional<Exception>>>> writers = new ArrayList<>();
-    robots.forEach((name, commands) -> writers.add(threads.submit(() -> write(name, commands))));
+    robots.forEach(
+        (name, commands) -> writers.add(threads.submit(() -> write(name, commands, end))));
     ConnectException failure = null;
     for (Future<Map<SinkRecord, Optional<Exception>>> writer : writers) {
       try {
@@ -116,15 +128,13 @@ public final class CommandWriter implements AutoCloseable {
     return plant.isCurrent();
   }
 
-  /** Forgets which robots did not answer, so that their next records are tried. */
-  public void forgetSilent() {
-    silent.clear();
-  }
-
   private Map<SinkRecord, Optional<Exception>> write(
-      String name, Map<SinkRecord, SinkCommand> commands) {
+      String name, Map<SinkRecord, SinkCommand> commands, long end) {
     Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
     RobotFeed robot = null;
+    boolean tried = false;
+    boolean late = false;
+    boolean silent = false;
     AtomicBoolean refused = new AtomicBoolean();
     // before each access: it can take seconds to connect, and the file can change meanwhile
     BooleanSupplier allowed =
@@ -135,12 +145,17 @@ public final class CommandWriter implements AutoCloseable {
         };
     try {
       for (Map.Entry<SinkRecord, SinkCommand> one : commands.entrySet()) {
-        if (!mayWrite()) {
+        if (!silent && !late && !mayWrite()) {
           break;
         }
         SinkRecord record = one.getKey();
         try {
-          check(name, record);
+          check(name, silent, record);
+          late |= tried && System.nanoTime() - end >= 0;
+          if (late) {
+            continue;
+          }
+          tried = true;
           if (robot == null) {
             robot = open(name, allowed);
           }
@@ -157,12 +172,10 @@ public final class CommandWriter implements AutoCloseable {
           if (refused.get()) {
             break; // nothing was sent
           }
-          silent.add(name);
+          silent = true;
           outcomes.put(record, Optional.of(e));
         } catch (IOException | IllegalArgumentException | DataException e) {
-          if (isWithoutAnswer(e)) {
-            silent.add(name);
-          }
+          silent |= isWithoutAnswer(e);
           outcomes.put(record, Optional.of(reason(e)));
         }
       }
@@ -212,8 +225,8 @@ public final class CommandWriter implements AutoCloseable {
         + record.originalKafkaOffset();
   }
 
-  private void check(String name, SinkRecord record) {
-    if (silent.contains(name)) {
+  private void check(String name, boolean silent, SinkRecord record) {
+    if (silent) {
       throw new DataException("not written: " + name + " has not answered the command before");
     }
     // nobody knows whether the write of an old record is still wanted

@@ -174,6 +174,20 @@ class ConnectorsIT {
   }
 
   @Test
+  void aCommandForAnotherRobotIsWrittenWhileThoseOfASlowOneWait() throws Exception {
+    int commands = 8;
+    robots.get("r1").fault(RecordedRequest::isWrite, Fault.delay(Duration.ofMillis(700)));
+    for (int i = 0; i < commands; i++) {
+      send("r1", "$OV_PRO", String.valueOf(i));
+    }
+    worker.put(name, sink("writes.enabled", "true"));
+    awaitWrite("r1");
+    send("r2", "$OV_PRO", "30");
+    awaitWrite("r2");
+    assertThat(writes("r1")).hasSizeLessThan(commands);
+  }
+
+  @Test
   void afterAStartWithAnInvalidFileNothingIsWrittenUntilItIsValidAgain() throws Exception {
     worker.put(name, sink("writes.enabled", "true"));
     send("r1", "$OV_PRO", "40");

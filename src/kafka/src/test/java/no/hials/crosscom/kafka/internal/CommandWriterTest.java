@@ -81,6 +81,12 @@ class CommandWriterTest {
     return writer(text, own);
   }
 
+  private CommandWriter writer(Duration maxAge, Duration limit) throws Exception {
+    TaskPlant plant = new TaskPlant(file().toString(), Files.readString(file()));
+    Writes writes = new Writes(new AuditLog(folder));
+    return new CommandWriter(plant, writes, lease, maxAge, limit, System::currentTimeMillis);
+  }
+
   private SinkRecord record(String robot, long value, Duration age) {
     return record(Map.of("robot", robot, "variable", "$OV_PRO", "value", value), age);
   }
@@ -123,7 +129,7 @@ class CommandWriterTest {
   }
 
   @Test
-  void afterAWriteWithoutAnAnswerNoFurtherOneIsSentUntilTheBatchIsDone() {
+  void afterAWriteWithoutAnAnswerNoFurtherOneOfTheBatchIsSent() {
     first.fault(RecordedRequest::isWrite, Fault.dropAnswer());
     SinkRecord one = record("r1", 40);
     SinkRecord two = record("r1", 41);
@@ -133,7 +139,6 @@ class CommandWriterTest {
         .hasMessage("not written: r1 has not answered the command before");
     assertThat(written(first)).containsExactly("40");
     first.clearFaults();
-    writer.forgetSilent();
     assertThat(writer.write(List.of(record("r1", 42))).values()).containsExactly(Optional.empty());
     assertThat(written(first)).containsExactly("40", "42");
   }
@@ -150,10 +155,9 @@ class CommandWriterTest {
       SinkRecord two = record("r3", 41);
       brief.renew(Moment.now());
       var outcomes = impatient.write(List.of(one, two));
+      assertThat(brief.isHeld()).isFalse();
       assertThat(outcomes.get(one).orElseThrow()).hasMessageContaining("no answer within 3000 ms");
-      assertThat(outcomes).doesNotContainKey(two);
-      brief.renew(Moment.now());
-      assertThat(impatient.write(List.of(two)).get(two).orElseThrow())
+      assertThat(outcomes.get(two).orElseThrow())
           .hasMessage("not written: r3 has not answered the command before");
       assertThat(List.of(accepted, waiting)).allMatch(Socket::isConnected);
     }
@@ -189,12 +193,31 @@ class CommandWriterTest {
             new Writes(new AuditLog(folder)),
             lease,
             MAX_AGE,
+            Duration.ofHours(1),
             () -> time.getAndAdd(MAX_AGE.toMillis() + 1))) {
       assertThat(slow.write(List.of(command)).get(command).orElseThrow())
           .hasMessage(
               "r1: $OV_PRO was not written: it waited too long for the connection to the robot");
     }
     assertThat(written(first)).isEmpty();
+  }
+
+  @Test
+  void afterTheTimeLimitOnlyTheFirstRecordOfEachRobotIsSent() throws Exception {
+    try (CommandWriter brief = writer(MAX_AGE, Duration.ZERO)) {
+      SinkRecord one = record("r1", 1);
+      SinkRecord two = record("r1", 2);
+      SinkRecord old = record("r1", 3, MAX_AGE.plusMinutes(1));
+      SinkRecord four = record("r2", 4);
+      SinkRecord five = record("r2", 5);
+      assertThat(brief.write(List.of(one, two, old, four, five)))
+          .containsOnlyKeys(one, old, four)
+          .containsEntry(one, Optional.empty())
+          .containsEntry(four, Optional.empty());
+      assertThat(brief.write(List.of(two, five))).hasSize(2);
+    }
+    assertThat(written(first)).containsExactly("1", "2");
+    assertThat(written(second)).containsExactly("4", "5");
   }
 
   @Test

@@ -142,6 +142,8 @@ class ConnectorValidationTest {
           audit.folder,        "",         must be non-empty
           bootstrap.servers,   "",         You must set either bootstrap.servers
           bootstrap.servers,   nonsense,   Invalid url in bootstrap.servers: nonsense
+          max.age.ms,          0,          at least 1
+          max.age.ms,          31536000001,  no more than 31536000000
           errors.tolerance,    none,       must be all
           errors.deadletterqueue.topic.name,      "",     must be non-empty
           producer.override.delivery.timeout.ms,  60001,  no more than 60000

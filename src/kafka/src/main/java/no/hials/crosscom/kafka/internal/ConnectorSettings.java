@@ -82,6 +82,9 @@ public final class ConnectorSettings extends AbstractConfig {
   /** The longest lease, and the longest wait after it, in ms. */
   private static final long LONGEST = 3_600_000;
 
+  /** The longest age, a year, in ms. */
+  private static final long OLDEST = 31_536_000_000L;
+
   /** The properties of the source connector. */
   public static final ConfigDef SOURCE =
       common()
@@ -141,7 +144,7 @@ public final class ConnectorSettings extends AbstractConfig {
               MAX_AGE,
               ConfigDef.Type.LONG,
               10_000,
-              between(1, Long.MAX_VALUE),
+              between(1, OLDEST),
               Importance.MEDIUM,
               "A record older than this, by its timestamp, is not written, in ms")
           .define(

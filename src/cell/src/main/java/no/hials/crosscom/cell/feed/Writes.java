@@ -54,6 +54,9 @@ public final class Writes {
     } catch (IOException | IllegalArgumentException e) {
       result = String.valueOf(e.getMessage());
       throw e;
+    } catch (RuntimeException e) {
+      result = e.toString();
+      throw e;
     } finally {
       add(who, robot, name, value, result);
     }

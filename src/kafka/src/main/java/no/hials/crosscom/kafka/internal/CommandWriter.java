@@ -177,6 +177,10 @@ public final class CommandWriter implements AutoCloseable {
         } catch (IOException | IllegalArgumentException | DataException e) {
           silent |= isWithoutAnswer(e);
           outcomes.put(record, Optional.of(reason(e)));
+        } catch (RuntimeException e) {
+          // a fault of this program: the outcomes of other records stay known
+          LOG.error("{}: the outcome is unknown", who(record), e);
+          outcomes.put(record, Optional.of(new ConnectException("outcome unknown: " + e, e)));
         }
       }
     } finally {
@@ -194,7 +198,7 @@ public final class CommandWriter implements AutoCloseable {
       if (robot != null) {
         robot.close();
       }
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException e) {
       LOG.warn("{}: {}", robot.name(), e.getMessage());
     }
   }

@@ -87,6 +87,10 @@ class CommandWriterTest {
     return new CommandWriter(plant, writes, lease, maxAge, limit, System::currentTimeMillis);
   }
 
+  private String audit() throws Exception {
+    return Files.readString(folder.resolve("audit.jsonl"));
+  }
+
   private SinkRecord record(String robot, long value, Duration age) {
     return record(Map.of("robot", robot, "variable", "$OV_PRO", "value", value), age);
   }
@@ -218,6 +222,24 @@ class CommandWriterTest {
     }
     assertThat(written(first)).containsExactly("1", "2");
     assertThat(written(second)).containsExactly("4", "5");
+  }
+
+  @Test
+  void aFaultOfThisProgramIsTheOutcomeOfOneRecord() throws Exception {
+    Duration tooLong = Duration.ofMillis(Long.MAX_VALUE);
+    try (CommandWriter faulty = writer(tooLong, Duration.ofHours(1))) {
+      SinkRecord fault = record("r1", 1);
+      SinkRecord right = record("r1", 2, tooLong.minusMinutes(1));
+      SinkRecord other = record("r2", 3, tooLong.minusMinutes(1));
+      var outcomes = faulty.write(List.of(fault, right, other));
+      assertThat(outcomes.get(fault).orElseThrow())
+          .hasMessage("outcome unknown: java.lang.ArithmeticException: long overflow");
+      assertThat(outcomes)
+          .containsEntry(right, Optional.empty())
+          .containsEntry(other, Optional.empty());
+    }
+    assertThat(audit())
+        .contains("\"after\":\"1\",\"result\":\"java.lang.ArithmeticException: long overflow\"");
   }
 
   @Test

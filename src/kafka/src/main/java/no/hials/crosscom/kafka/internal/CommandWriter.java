@@ -157,7 +157,7 @@ public final class CommandWriter implements AutoCloseable {
           }
           tried = true;
           if (robot == null) {
-            robot = open(name, allowed);
+            robot = open(one.getValue(), who(record), allowed);
           }
           writes.write(
               who(record),
@@ -251,14 +251,18 @@ public final class CommandWriter implements AutoCloseable {
     return time == null ? Long.MAX_VALUE : millis.getAsLong() - time;
   }
 
-  private RobotFeed open(String name, BooleanSupplier allowed) throws IOException {
-    PollPlan plan =
-        plant.plant().plans().stream()
-            .filter(one -> one.robot().name().equals(name))
-            .findFirst()
-            .orElseThrow(() -> new DataException("no robot is named " + name));
+  private RobotFeed open(SinkCommand command, String who, BooleanSupplier allowed)
+      throws IOException {
+    String name = command.robot();
+    Optional<PollPlan> plan =
+        plant.plant().plans().stream().filter(one -> one.robot().name().equals(name)).findFirst();
+    if (plan.isEmpty()) {
+      String reason = "no robot is named " + name;
+      writes.refused(who, name, command.variable(), command.value(), reason);
+      throw new DataException(reason);
+    }
     return RobotFeed.open(
-        plan,
+        plan.get(),
         (robot, more) ->
             RobotConnection.open(
                 robot,

@@ -243,6 +243,14 @@ class CommandWriterTest {
   }
 
   @Test
+  void aCommandForARobotThatIsNotInTheFileHasALineInTheAuditLog() throws Exception {
+    assertThat(failure(record("r9", 40))).isEqualTo("no robot is named r9");
+    assertThat(audit())
+        .contains("\"who\":\"kafka:commands-0@0\"", "\"robot\":\"r9\"", "\"after\":\"40\"")
+        .contains("\"result\":\"no robot is named r9\"");
+  }
+
+  @Test
   void theRecordsOfARobotAreWrittenInTheirOrder() {
     var unused = writer.write(List.of(record("r1", 1), record("r2", 2), record("r1", 3)));
     assertThat(written(first)).containsExactly("1", "3");

@@ -13,11 +13,15 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.RobotConnection;
@@ -33,6 +37,7 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.Tail;
 import no.hials.crosscom.protocol.value.KrlInt;
 import no.hials.crosscom.protocol.value.KrlValue;
 import org.junit.jupiter.api.AfterEach;
@@ -153,6 +158,36 @@ class FeedTest {
         .flatExtracting(RecordedRequest::names)
         .contains("MYFRAME")
         .doesNotContain("MYFRAME.X");
+  }
+
+  @Test
+  void aStructureWithEverNewFieldsIsBadAndGoodAgainWithThoseThatAreKnown() throws Exception {
+    AtomicReference<String> fields = new AtomicReference<>("A");
+    robot.faults(
+        request ->
+            request.name().equals("MYS")
+                ? Optional.of(Fault.answer(structure(fields.get()), Tail.SUCCESS))
+                : Optional.empty());
+    start("variables = [\"MYS\"]", "");
+    Update good = next(update -> update.quality() == Quality.GOOD);
+
+    fields.set("B");
+
+    Update bad = next(update -> update.quality() == Quality.BAD);
+    assertThat(bad.value()).isNull();
+    assertThat(bad.reason())
+        .isEqualTo("MYS has more than 1000 fields, with those of earlier readings");
+
+    fields.set("A");
+
+    assertThat(updates.take().value()).isEqualTo(good.value());
+  }
+
+  /** Returns a structure with 600 fields. */
+  private static String structure(String prefix) {
+    return IntStream.range(0, 600)
+        .mapToObj(i -> prefix + i + " 1")
+        .collect(Collectors.joining(", ", "{MYS: ", "}"));
   }
 
   @Test

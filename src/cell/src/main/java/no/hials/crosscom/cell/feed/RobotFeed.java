@@ -48,6 +48,7 @@ public final class RobotFeed implements Closeable {
   private static final class Held {
     private final PlannedVariable variable;
     private final DeadBand deadBand;
+    private final KnownParts parts = new KnownParts();
     private @Nullable KrlValue value;
     private @Nullable KrlValue passedOn;
     private @Nullable Instant time;
@@ -62,11 +63,15 @@ public final class RobotFeed implements Closeable {
 
     /**
      * Stores a value, and returns its update if it must be passed on. A value that was read long
-     * before its sample was complete is stale.
+     * before its sample was complete is stale. One with too many fields is bad.
      *
      * @param readNanos when it was read, by {@link System#nanoTime}
      */
     @Nullable Update read(KrlValue now, Instant readAt, long readNanos) {
+      String tooMany = parts.add(now);
+      if (!tooMany.isEmpty()) {
+        return without(Quality.BAD, variable.name() + " " + tooMany, readAt);
+      }
       nanos = readNanos;
       boolean late = isLate(System.nanoTime());
       Quality current = late ? Quality.STALE : Quality.GOOD;

@@ -73,14 +73,14 @@ public final class Gateway implements AutoCloseable {
     }
     ScheduledFuture<?> unused =
         gateway.timer.scheduleAtFixedRate(
-            () -> gateway.robots.values().forEach(RobotFeed::checkAges),
+            Lasting.task(() -> gateway.robots.values().forEach(RobotFeed::checkAges)),
             AGE_CHECK_MILLIS,
             AGE_CHECK_MILLIS,
             TimeUnit.MILLISECONDS);
     return gateway;
   }
 
-  /** An output with its settings. Its exceptions are logged, and affect nothing else. */
+  /** An output with its settings. Its failures are logged, and affect nothing else. */
   private static final class RunningOutput {
     private final Object settings;
     private final Output output;
@@ -95,7 +95,7 @@ public final class Gateway implements AutoCloseable {
       try {
         call.accept(output);
         failing = false;
-      } catch (RuntimeException e) {
+      } catch (RuntimeException | Error e) {
         if (!failing) {
           LOG.warn("an output failed", e);
         }

@@ -10,13 +10,16 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Quality;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
+import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.junit.jupiter.api.AfterEach;
@@ -73,6 +76,10 @@ class GatewayTest {
           if (settings.equals("fails")) {
             events.add("failed");
             throw new IllegalStateException("broken");
+          }
+          if (settings.equals("has no memory")) {
+            events.add("failed");
+            throw new OutOfMemoryError("simulated");
           }
           updates.addAll(some);
         }
@@ -172,6 +179,37 @@ class GatewayTest {
     gateway.apply(config("\"$OV_PRO\"", "a", first));
 
     await("$OV_PRO");
+  }
+
+  @Test
+  void anErrorOfAnOutputDoesNotStopTheChecksOfAges() throws Exception {
+    CountDownLatch released = new CountDownLatch(1);
+    start(config("\"$OV_PRO\"", "has no memory", first));
+    while (!events.contains("failed")) {
+      Thread.onSpinWait();
+    }
+    events.clear();
+    first.fault(request -> true, Fault.hold(released));
+    // the timer passes on that the value is stale, and fails
+    while (!events.contains("failed")) {
+      Thread.onSpinWait();
+    }
+    released.countDown();
+    first.clearFaults();
+    gateway.apply(config("\"$OV_PRO\"", "a", first));
+    await("$OV_PRO");
+
+    CountDownLatch again = new CountDownLatch(1);
+    first.fault(request -> true, Fault.hold(again));
+    try {
+      Update update = updates.take();
+      while (update.quality() != Quality.STALE) {
+        update = updates.take();
+      }
+      assertThat(update.reason()).isEqualTo("the controller has not answered in time");
+    } finally {
+      again.countDown();
+    }
   }
 
   @Test

@@ -38,6 +38,8 @@ import org.eclipse.tahu.message.model.SparkplugBPayload;
 import org.eclipse.tahu.protobuf.SparkplugBProto.Payload;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SparkplugIT extends BrokerTest {
   private static final String NODE =
@@ -405,6 +407,37 @@ class SparkplugIT extends BrokerTest {
       assertThat(observer.on(NBIRTH)).hasSize(2);
     } finally {
       released.countDown();
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {3, 5})
+  void afterAnErrorTheNodeDiesAndIsBornAgain(int version) throws Exception {
+    broker = Mosquitto.open(folder);
+    BrokerSettings settings =
+        new BrokerSettings(
+            "127.0.0.1", broker.port(), false, version, "gw", null, null, null, 1_000_000);
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#");
+        Session session = new Session(settings, "sparkplug", folder, new Health())) {
+      session.start(
+          new SparkplugTraffic(
+              new SparkplugId("hall1", "gateway1"),
+              session,
+              folder.resolve("bdseq"),
+              null,
+              name -> false));
+      observer.await(NBIRTH, "");
+
+      session.submit(
+          1,
+          () -> {
+            throw new OutOfMemoryError("simulated");
+          });
+
+      observer.await(all -> observer.on(NBIRTH).size() == 2);
+      assertThat(observer.on(NDEATH)).hasSize(1);
+      assertThat(metricOf(last(observer, NDEATH), "bdSeq").getValue()).isEqualTo(0L);
+      assertThat(metricOf(last(observer, NBIRTH), "bdSeq").getValue()).isEqualTo(1L);
     }
   }
 

@@ -29,6 +29,9 @@ interface Link {
   /** Disconnects, so that the broker does not publish the will. */
   CompletableFuture<?> disconnect();
 
+  /** Disconnects, so that the broker publishes the will. */
+  CompletableFuture<?> disconnectWithWill();
+
   /**
    * Creates a link.
    *

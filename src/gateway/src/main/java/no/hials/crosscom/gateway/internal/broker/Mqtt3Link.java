@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
 /** A connection with MQTT 3.1.1. */
 final class Mqtt3Link implements Link {
   private final Mqtt3AsyncClient client;
+  private final Publication will;
   private final Mqtt3Connect connect;
 
   Mqtt3Link(
@@ -27,6 +28,7 @@ final class Mqtt3Link implements Link {
       @Nullable String password,
       Publication will) {
     client = builder.useMqttVersion3().buildAsync();
+    this.will = will;
     Mqtt3ConnectBuilder connecting =
         Mqtt3Connect.builder()
             .cleanSession(true)
@@ -83,5 +85,11 @@ final class Mqtt3Link implements Link {
   @Override
   public CompletableFuture<?> disconnect() {
     return client.disconnect();
+  }
+
+  @Override
+  public CompletableFuture<?> disconnectWithWill() {
+    // MQTT 3.1.1 has no message for it
+    return publish(will).handle((sent, failure) -> true).thenCompose(tried -> client.disconnect());
   }
 }

@@ -67,22 +67,6 @@ public final class Session implements AutoCloseable {
   private long nextTick = System.nanoTime();
   private String lastFailure = "";
 
-  /** A message on its way. */
-  private static final class Outgoing {
-    /** Goes to the store if the broker does not confirm the message; null to forget it. */
-    private final @Nullable Supplier<StoredMessage> spare;
-
-    /** The stored message; null if the message is new. */
-    private final @Nullable StoredMessage stored;
-
-    private boolean done;
-
-    Outgoing(@Nullable Supplier<StoredMessage> spare, @Nullable StoredMessage stored) {
-      this.spare = spare;
-      this.stored = stored;
-    }
-  }
-
   /**
    * Creates a session; {@link #start} connects it.
    *
@@ -250,9 +234,8 @@ public final class Session implements AutoCloseable {
       boolean busy = false;
       try {
         busy = step();
-      } catch (RuntimeException e) {
-        LOG.error("MQTT {}: a message is lost", name, e);
-        figures.dropped("error", 1);
+      } catch (RuntimeException | Error e) {
+        failed(e);
       }
       if (closing && endBy == 0 && !busy) {
         endBy = System.nanoTime() + END;
@@ -266,6 +249,19 @@ public final class Session implements AutoCloseable {
       }
     }
     end();
+  }
+
+  /** Called with a failure of the thread. After an error, as without memory, it connects again. */
+  private void failed(Throwable why) {
+    try {
+      if (why instanceof Error) {
+        lost(link, why);
+      }
+      LOG.error("MQTT {}: a message is lost", name, why);
+      figures.dropped("error", 1);
+    } catch (RuntimeException | Error e) {
+      // perhaps there is no memory for the log either; the thread must go on
+    }
   }
 
   /** Does some of the work, and returns whether there may be more. */
@@ -420,7 +416,8 @@ public final class Session implements AutoCloseable {
     connected = false;
     link = null;
     figures.connected.set(0);
-    CompletableFuture<?> unused = over.disconnect().exceptionally(ended -> null);
+    // if only the gateway has given up the connection, the broker tells the others that it is over
+    CompletableFuture<?> unused = over.disconnectWithWill().exceptionally(ended -> null);
     keep();
     if (was) {
       LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);

@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.gateway.Lasting;
 import org.eclipse.milo.opcua.sdk.server.AddressSpaceFilter;
 import org.eclipse.milo.opcua.sdk.server.ManagedAddressSpaceFragment;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
@@ -113,7 +114,7 @@ final class Subscriptions extends ManagedAddressSpaceFragment {
         server
             .getScheduledExecutorService()
             .scheduleWithFixedDelay(
-                () -> server.getSubscriptions().values().forEach(Subscriptions::trim),
+                Lasting.task(() -> server.getSubscriptions().values().forEach(Subscriptions::trim)),
                 1,
                 1,
                 TimeUnit.SECONDS);

@@ -7,6 +7,7 @@ import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import no.hials.crosscom.cell.Moment;
+import no.hials.crosscom.gateway.Lasting;
 
 /**
  * Notices that this process was frozen, by a beat that did not come, or the machine suspended, by
@@ -47,7 +48,7 @@ public final class Pauses implements AutoCloseable {
     Pauses pauses = new Pauses(Moment::now);
     ScheduledFuture<?> unused =
         pauses.timer.scheduleWithFixedDelay(
-            pauses::beat, BEAT_MILLIS, BEAT_MILLIS, TimeUnit.MILLISECONDS);
+            Lasting.task(pauses::beat), BEAT_MILLIS, BEAT_MILLIS, TimeUnit.MILLISECONDS);
     return pauses;
   }
 

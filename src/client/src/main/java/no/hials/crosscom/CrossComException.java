@@ -22,18 +22,15 @@ public abstract sealed class CrossComException extends IOException
         CrossComValueException,
         CrossComClosedException {
   private static final long serialVersionUID = 1L;
+  private static final String OUTCOME_UNKNOWN =
+      "; the outcome is unknown: the controller may or may not have done it";
 
   private final boolean outcomeUnknown;
   private int elementsDone = -1;
   private int elements;
 
   CrossComException(String message, @Nullable Throwable cause, boolean outcomeUnknown) {
-    super(
-        PrintableText.shortened(message)
-            + (outcomeUnknown
-                ? "; the outcome is unknown: the controller may or may not have done it"
-                : ""),
-        cause);
+    super(PrintableText.shortened(message) + (outcomeUnknown ? OUTCOME_UNKNOWN : ""), cause);
     this.outcomeUnknown = outcomeUnknown;
   }
 
@@ -61,6 +58,14 @@ public abstract sealed class CrossComException extends IOException
    */
   public OptionalInt getElementsDone() {
     return elementsDone < 0 ? OptionalInt.empty() : OptionalInt.of(elementsDone);
+  }
+
+  /** Returns the message without the outcome of the failed operation, for that of a later one. */
+  final String reason() {
+    String message = String.valueOf(super.getMessage());
+    return outcomeUnknown
+        ? message.substring(0, message.length() - OUTCOME_UNKNOWN.length())
+        : message;
   }
 
   @Override

@@ -368,7 +368,7 @@ final class ReconnectingConnection {
   }
 
   private String lostBy() {
-    return lostBy == null ? "closed" : String.valueOf(lostBy.getMessage());
+    return lostBy == null ? "closed" : lostBy.reason();
   }
 
   private void lost(CrossComException why) {

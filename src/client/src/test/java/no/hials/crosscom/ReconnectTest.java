@@ -205,6 +205,24 @@ class ReconnectTest extends RobotTest {
   }
 
   @Test
+  void theOutcomeOfALostWriteIsNotThatOfTheNextOne() throws Exception {
+    try (CrossComClient its =
+        client(cfg -> cfg.reconnectBackoff(Duration.ofHours(1), Duration.ofHours(1)))) {
+      robot.enqueue(Fault.closeBefore()); // before any answer, so that the client waits
+      assertThatExceptionOfType(CrossComConnectionLostException.class)
+          .isThrownBy(() -> its.writeText("MYINT", "4"))
+          .withMessageContaining("the outcome is unknown");
+
+      assertThatExceptionOfType(CrossComConnectException.class)
+          .isThrownBy(() -> its.writeText("MYINT", "5"))
+          .withMessageMatching(
+              "not connected, and the next attempt is in \\d+ ms; the last one: .*MYINT.*")
+          .withMessageNotContaining("outcome")
+          .satisfies(e -> assertThat(e.isOutcomeUnknown()).isFalse());
+    }
+  }
+
+  @Test
   void theBackoffGrowsAndIsCapped() throws Exception {
     try (CrossComClient its = client(cfg -> cfg.reconnectBackoff(TINY, Duration.ofHours(1)))) {
       robot.refuseConnections();

@@ -10,6 +10,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
+import no.hials.crosscom.CrossComClosedException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComTimeoutException;
@@ -208,6 +209,10 @@ final class RobotWrites {
     if (e instanceof CrossComTimeoutException) {
       // it only waited for the readings of the robot, and was not sent
       return StatusCodes.Bad_ResourceUnavailable;
+    }
+    if (e instanceof CrossComClosedException) {
+      // the configuration has removed or changed the robot in the meantime
+      return StatusCodes.Bad_NodeIdUnknown;
     }
     return e instanceof CrossComConnectException
         ? StatusCodes.Bad_NoCommunication

@@ -142,6 +142,17 @@ class RobotWritesTest {
   }
 
   @Test
+  void aWriteWhoseRobotIsClosedInTheMeantimeIsNoRefusalOfTheController() throws Exception {
+    feed.close();
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_NodeIdUnknown);
+
+    assertThat(server.requests()).filteredOn(RecordedRequest::isWrite).isEmpty();
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("\"after\":\"3\",\"result\":\"the client is closed\"");
+  }
+
+  @Test
   void aWriteWhoseSessionHasEndedIsRefusedWithALineInTheAuditLog() throws Exception {
     CompletableFuture<Long> slow = beginSlowWrite();
     CompletableFuture<Long> next = write(request(), "3");

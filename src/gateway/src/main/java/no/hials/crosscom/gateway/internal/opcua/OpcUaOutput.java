@@ -16,6 +16,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.GatewayContext;
@@ -33,7 +34,6 @@ import org.eclipse.milo.opcua.stack.core.types.enumerated.UserTokenType;
 import org.eclipse.milo.opcua.stack.core.types.structured.BuildInfo;
 import org.eclipse.milo.opcua.stack.core.types.structured.UserTokenPolicy;
 import org.eclipse.milo.opcua.stack.transport.server.tcp.OpcTcpServerTransport;
-import org.eclipse.milo.opcua.stack.transport.server.tcp.OpcTcpServerTransportConfig;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
@@ -61,6 +61,7 @@ final class OpcUaOutput implements Output {
             thread.setDaemon(true);
             return thread;
           });
+  private final Connections connections;
   private final OpcUaServer server;
   private final CompanionTypes types;
   private final RobotsNamespace namespace;
@@ -68,6 +69,16 @@ final class OpcUaOutput implements Output {
   private final Map<String, RobotNodes> robots = new ConcurrentHashMap<>();
 
   OpcUaOutput(OpcUaSettings settings, GatewayContext context) throws IOException {
+    this(settings, context, System::nanoTime);
+  }
+
+  /**
+   * Starts a server.
+   *
+   * @param nanoTime the time by which it ends connections that are not used
+   */
+  OpcUaOutput(OpcUaSettings settings, GatewayContext context, LongSupplier nanoTime)
+      throws IOException {
     this.settings = settings;
     this.context = context;
     users =
@@ -80,12 +91,11 @@ final class OpcUaOutput implements Output {
     port = freePort();
     pki = Pki.open(context.folder().resolve("opcua").resolve("pki"), settings.host());
     writes = new RobotWrites(context);
+    connections = new Connections(nanoTime);
     server =
         new OpcUaServer(
-            config(),
-            profile ->
-                new OpcTcpServerTransport(
-                    OpcTcpServerTransportConfig.newBuilder().setExecutor(executor).build()));
+            config(), profile -> new OpcTcpServerTransport(connections.transport(executor)));
+    connections.watch(server);
     types = new CompanionTypes(server);
     namespace = new RobotsNamespace(server, types, writes);
     subscriptions = new Subscriptions(server);
@@ -224,6 +234,11 @@ final class OpcUaOutput implements Output {
     }
   }
 
+  /** Returns the port that it listens on. */
+  int port() {
+    return port;
+  }
+
   /** Returns the number of nodes of robots. */
   int nodes() {
     return namespace.getNodeManager().getNodeIds().size();
@@ -262,6 +277,7 @@ final class OpcUaOutput implements Output {
   public void close() {
     writes.close();
     subscriptions.shutdown();
+    connections.shutdown();
     server.shutdown().join();
     namespace.shutdown();
     types.shutdown();

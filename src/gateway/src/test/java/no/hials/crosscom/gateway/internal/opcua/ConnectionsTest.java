@@ -1,0 +1,194 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import static java.nio.charset.StandardCharsets.US_ASCII;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn.Neither;
+
+import java.io.DataInputStream;
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.SocketException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.TomlTable;
+import no.hials.crosscom.cell.feed.Plant;
+import no.hials.crosscom.cell.feed.PlantFile;
+import no.hials.crosscom.cell.feed.RobotFeed;
+import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.OneRobotContext;
+import no.hials.crosscom.mock.MockServer;
+import no.hials.crosscom.mock.junit.KukaController;
+import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
+import org.eclipse.milo.opcua.stack.core.NodeIds;
+import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Clients that connect and do not log in. */
+@Timeout(60)
+class ConnectionsTest {
+  private static final String POLICY = "http://opcfoundation.org/UA/SecurityPolicy#None";
+
+  @KukaController private MockServer robot;
+
+  /** Shared by all tests, since the server's key takes time to create. */
+  @TempDir private static Path folder;
+
+  private final AtomicLong now = new AtomicLong();
+  private final List<Socket> sockets = new ArrayList<>();
+  private RobotFeed feed;
+  private OpcUaOutput server;
+
+  @BeforeEach
+  void start() throws Exception {
+    String text = "[robots.cell1]\nhost = \"%s:%d\"".formatted(robot.host(), robot.port());
+    Plant plant = PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of());
+    feed = RobotFeed.open(plant.plans().get(0), RobotConnection::openLazily, (one, updates) -> {});
+    server =
+        new OpcUaOutput(
+            new OpcUaSettings("127.0.0.1", 0, true, List.of(), true, true),
+            new OneRobotContext(plant, feed, folder, new Health()),
+            now::get);
+  }
+
+  @AfterEach
+  void close() throws Exception {
+    for (Socket socket : sockets) {
+      socket.close();
+    }
+    server.close();
+    feed.close();
+  }
+
+  private String url() {
+    return "opc.tcp://127.0.0.1:" + server.port();
+  }
+
+  private Socket connect(String from) throws IOException {
+    Socket socket = new Socket("127.0.0.1", server.port(), InetAddress.getByName(from), 0);
+    sockets.add(socket);
+    return socket;
+  }
+
+  private static ByteBuffer message(String type) {
+    return ByteBuffer.allocate(1000)
+        .order(ByteOrder.LITTLE_ENDIAN)
+        .put(type.getBytes(US_ASCII))
+        .putInt(0);
+  }
+
+  private static void putText(ByteBuffer buffer, String text) {
+    buffer.putInt(text.length()).put(text.getBytes(US_ASCII));
+  }
+
+  /** Sends a message, and returns the first three letters and the rest of the answer. */
+  private static ByteBuffer exchange(Socket socket, ByteBuffer message) throws IOException {
+    byte[] bytes = new byte[message.position()];
+    message.putInt(4, bytes.length).flip();
+    message.get(bytes);
+    socket.getOutputStream().write(bytes);
+    DataInputStream in = new DataInputStream(socket.getInputStream());
+    byte[] header = in.readNBytes(8);
+    int answer = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN).getInt(4);
+    assertThat(new String(header, 0, 3, US_ASCII)).isIn("ACK", "OPN");
+    return ByteBuffer.wrap(in.readNBytes(answer - 8)).order(ByteOrder.LITTLE_ENDIAN);
+  }
+
+  /** Connects and says hello, as each client does first. */
+  private Socket hello(String from) throws IOException {
+    Socket socket = connect(from);
+    ByteBuffer hello = message("HELF").putInt(0);
+    hello.putInt(65_536).putInt(65_536).putInt(0).putInt(0);
+    putText(hello, url());
+    exchange(socket, hello);
+    return socket;
+  }
+
+  /** Opens a secure channel, and returns its lifetime in ms. */
+  private static int open(Socket socket, int lifetime) throws IOException {
+    ByteBuffer open = message("OPNF").putInt(0);
+    putText(open, POLICY);
+    // no certificates; the sequence number, the request id and the type of the request
+    open.putInt(-1)
+        .putInt(-1)
+        .putInt(1)
+        .putInt(1)
+        .put((byte) 1)
+        .put((byte) 0)
+        .putShort((short) 446);
+    // the header of a request: no session, time, handle, diagnostics, audit, timeout, more
+    open.putShort((short) 0).putLong(0).putInt(1).putInt(0).putInt(-1).putInt(0);
+    open.putShort((short) 0).put((byte) 0);
+    // protocol, issue, no security, no nonce
+    open.putInt(0).putInt(0).putInt(1).putInt(-1).putInt(lifetime);
+    ByteBuffer answer = exchange(socket, open);
+    return answer.getInt(answer.limit() - 8);
+  }
+
+  private static boolean isClosed(Socket socket) throws IOException {
+    try {
+      return socket.getInputStream().read() < 0;
+    } catch (SocketException e) {
+      return true; // reset
+    }
+  }
+
+  @Test
+  void aConnectionWithoutASessionIsClosedAndOneWithASessionIsNot() throws Exception {
+    OpcUaClient client = OpcUaClient.create(url()).connect();
+    Socket hello = hello("127.0.0.1");
+    Socket channel = hello("127.0.0.1");
+    open(channel, 600_000);
+    now.addAndGet(Duration.ofSeconds(30).toNanos());
+    Socket later = hello("127.0.0.1");
+
+    now.addAndGet(Duration.ofSeconds(1).toNanos());
+
+    assertThat(isClosed(hello)).isTrue();
+    assertThat(isClosed(channel)).isTrue();
+    assertThat(open(later, 600_000)).isEqualTo(600_000);
+    assertThat(client.readValue(0, Neither, NodeIds.Server_ServerStatus_State).statusCode())
+        .isEqualTo(StatusCode.GOOD);
+
+    client.disconnect();
+    now.addAndGet(Duration.ofSeconds(30).toNanos());
+
+    assertThat(isClosed(later)).isTrue();
+  }
+
+  @Test
+  void connectionsAreLimited() throws Exception {
+    for (int i = 0; i < 100; i++) {
+      hello("127.0.0.1");
+    }
+    assertThat(isClosed(connect("127.0.0.1"))).isTrue();
+    for (int i = 0; i < 50; i++) {
+      hello("127.0.0.2");
+    }
+    assertThat(isClosed(connect("127.0.0.2"))).isTrue();
+
+    // all of them, so that new ones find a place
+    now.addAndGet(Duration.ofSeconds(31).toNanos());
+    for (Socket socket : sockets) {
+      assertThat(isClosed(socket)).isTrue();
+    }
+    hello("127.0.0.1");
+    hello("127.0.0.2");
+  }
+
+  @Test
+  void aSecureChannelMustBeRenewedAfterAnHour() throws Exception {
+    assertThat(open(hello("127.0.0.1"), Integer.MAX_VALUE)).isEqualTo(3_600_000);
+  }
+}

@@ -181,6 +181,11 @@ final class MessageStore implements AutoCloseable {
     showSize();
   }
 
+  /** Called when the broker is back, so that the log has the next failure, too. */
+  void reachedBroker() {
+    failing = false;
+  }
+
   private void write(ByteBuffer record) throws IOException {
     Segment segment = segments.peekLast();
     FileChannel channel = tail;

@@ -399,6 +399,7 @@ public final class Session implements AutoCloseable {
           store().size());
     }
     refusals.clear();
+    store().reachedBroker();
     traffic().connected();
   }
 

@@ -100,6 +100,9 @@ public final class PlantFile {
         throw table.error(PERIOD, "must be at most 1 day, is " + period.toMillis() + " ms");
       }
       List<String> chosen = table.texts("robots");
+      if (table.has("robots") && chosen.isEmpty()) {
+        throw table.error("robots", "name at least one robot, or leave it out for all");
+      }
       for (String robot : chosen) {
         if (!robots.containsKey(robot)) {
           throw table.error(

@@ -82,6 +82,7 @@ class PlantFileTest {
         "[groups.a]\\nvariables = [\"A\"]\\nperiod = \"2000min\" | 5: groups.a.period: must be at",
         "[groups.a]\\nvariables = [\"A\"]\\nperiod = 1\\ndead-band = -1 | 6: groups.a.dead-band",
         "[groups.a]\\nrobots = [\"b\"]\\nperiod = 1 | 4: groups.a.robots: no robot is named b",
+        "[groups.a]\\nrobots = []\\nperiod = 1 | 4: groups.a.robots: name at least one robot",
         "[groups.a]\\nvars = 1 | 4: groups.a.vars: no such key; known: robots, variables",
         "[variables.A]\\nwrite = true | 4: variables.A.write: needs the range of the numbers",
         "[variables.A]\\nrange = [1] | 4: variables.A.range: must be two numbers",

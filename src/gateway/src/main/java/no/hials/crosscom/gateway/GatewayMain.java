@@ -154,6 +154,9 @@ public final class GatewayMain implements Callable<Integer> {
       if (dryRun) {
         return 0;
       }
+      if (config.outputs().isEmpty()) {
+        throw wrongUsage("there is no output: add a table [mqtt], [opcua] or [prometheus]");
+      }
       CountDownLatch end = new CountDownLatch(1);
       CountDownLatch ended = new CountDownLatch(1);
       Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(end, ended), "stop"));

@@ -111,12 +111,14 @@ class GatewayMainTest {
   void wrongUsageAndAMissingFileAreErrors() {
     assertThat(run("--dry-run")).isEqualTo(2);
     assertThat(run("--dry-run", "--mock", "-1")).isEqualTo(2);
+    assertThat(run("--mock", "1")).isEqualTo(2);
     assertThat(run("--dry-run", "--config", folder.resolve("none.toml").toString())).isEqualTo(2);
 
     assertThat(err.toString().lines())
         .containsExactly(
             "jopenshowvar: there is no robot: use --config FILE or --mock N",
             "jopenshowvar: --mock must be 1 to 1000, is -1",
+            "jopenshowvar: there is no output: add a table [mqtt], [opcua] or [prometheus]",
             "jopenshowvar: cannot read " + folder.resolve("none.toml") + ": file not found");
   }
 

@@ -21,7 +21,7 @@ const VIEWS = {
 
 function currentView() {
   const name = location.hash.replace(/^#\/?/, '').split('/')[0];
-  return name in VIEWS ? name : 'variables';
+  return Object.hasOwn(VIEWS, name) ? name : 'variables';
 }
 
 function Navigation({ view }) {

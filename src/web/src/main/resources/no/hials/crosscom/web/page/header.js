@@ -16,16 +16,19 @@ import {
 } from './state.js';
 import { percentText } from './value.js';
 
-const MODES = { '#T1': 'T1', '#T2': 'T2', '#AUT': 'AUT', '#EX': 'EXT' };
+// without a prototype, since a robot may answer with any word
+const MODES = { __proto__: null, '#T1': 'T1', '#T2': 'T2', '#AUT': 'AUT', '#EX': 'EXT' };
 const PROGRAM_STATES = {
+  __proto__: null,
   '#P_FREE': 'no program',
   '#P_RESET': 'at its start',
   '#P_ACTIVE': 'running',
   '#P_STOP': 'stopped',
   '#P_END': 'at its end',
 };
+const PROGRAM_KINDS = { __proto__: null, '#P_ACTIVE': 'good', '#P_STOP': 'warn' };
 
-const STOPS = { TRUE: 'message waits', FALSE: 'none' };
+const STOPS = { __proto__: null, TRUE: 'message waits', FALSE: 'none' };
 
 /** Renders the component several times a second, since ages grow without any event. */
 function useTicks(period) {
@@ -69,7 +72,7 @@ function Connection({ one, stale }) {
 
 function Program({ name, program, programState }) {
   const words = PROGRAM_STATES[programState] ?? programState ?? '–';
-  const kind = { '#P_ACTIVE': 'good', '#P_STOP': 'warn' }[programState] ?? '';
+  const kind = PROGRAM_KINDS[programState] ?? '';
   // a narrow page truncates the name, but not the state
   return program
     ? h(Item, { name, kind: `${kind} program` }, h('span', null, program), h('span', null, ` · ${words}`))

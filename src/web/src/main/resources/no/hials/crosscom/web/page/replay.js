@@ -25,12 +25,12 @@ class Recording {
     this.times = column(0);
     this.end = head.rows;
     this.latest = this.times[head.rows - 1];
-    this.units = {};
+    this.units = new Map();
     this.columns = new Map();
     this.names = [];
     head.columns.forEach(({ name, unit }, i) => {
       this.columns.set(name, column(i + 1));
-      this.units[name] = unit;
+      this.units.set(name, unit);
       const variable = variableOf(name);
       if (!this.names.includes(variable)) {
         this.names.push(variable);
@@ -50,11 +50,11 @@ class Recording {
   /** Returns the structures at a time, by their names, as `watch` reads them. */
   readings(time) {
     const row = rowAt({ times: this.times, first: 0, end: this.end }, time);
-    const result = {};
+    const result = Object.create(null); // a recording may name a column __proto__
     for (const [leaf, values] of this.columns) {
       const dot = leaf.indexOf('.');
       if (dot > 0 && row >= 0 && !Number.isNaN(values[row])) {
-        const one = (result[leaf.slice(0, dot)] ??= { type: '', value: {} });
+        const one = (result[leaf.slice(0, dot)] ??= { type: '', value: Object.create(null) });
         one.value[leaf.slice(dot + 1)] = values[row];
       }
     }

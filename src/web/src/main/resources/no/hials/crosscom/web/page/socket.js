@@ -161,11 +161,11 @@ function receive(message) {
     return;
   }
   if (message.event === 'header') {
-    state.headers[message.robot] = message;
+    state.headers.set(message.robot, message);
     noteServerTime(message.now);
     changed();
   } else if (message.event === 'jog') {
-    state.jogs[message.robot] = message;
+    state.jogs.set(message.robot, message);
     changed();
   } else if (message.event === 'samples') {
     watches.get(`${message.robot}/${message.list}`)?.listener(message);

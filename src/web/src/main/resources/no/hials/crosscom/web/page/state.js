@@ -10,9 +10,9 @@ export const state = {
   /** The name of the robot that the views show. */
   robot: localStorage.getItem('robot') ?? '',
   /** The last header event of each robot, by its name. */
-  headers: {},
+  headers: new Map(),
   /** The last jog event of each robot, by its name: who jogs it. */
-  jogs: {},
+  jogs: new Map(),
   /** The player of the recording that is open in all views; null shows the robot. */
   replay: null,
   /** Short messages at the edge of the page. */
@@ -83,12 +83,12 @@ export function useRobot() {
 
 /** Returns the header of the chosen robot; an empty object before the first one. */
 export function header() {
-  return state.headers[state.robot] ?? {};
+  return state.headers.get(state.robot) ?? {};
 }
 
 /** Returns who jogs the chosen robot, and how; an empty object before the first event. */
 export function jogging() {
-  return state.jogs[state.robot] ?? {};
+  return state.jogs.get(state.robot) ?? {};
 }
 
 /** Returns how old the values of a header are in ms; infinite if there are none. */
@@ -153,7 +153,7 @@ export function useStale(timeOf, longest) {
 export function watchAges() {
   let before = '';
   setInterval(() => {
-    const headers = Object.values(state.headers).map(isStale);
+    const headers = [...state.headers.values()].map(isStale);
     const stale = [...headers, ...[...ages].map((tell) => tell())].join();
     if (stale !== before) {
       before = stale;

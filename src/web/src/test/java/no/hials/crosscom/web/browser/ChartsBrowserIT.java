@@ -15,6 +15,7 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.Keys;
 
 /** Live charts, a recording, and its replay in the charts and in 3-D. */
@@ -148,6 +149,55 @@ class ChartsBrowserIT {
     click(browser, "Close");
     browser.await("!document.querySelector('.replay-mark')");
     browser.await(axes("-90.00")); // the robot itself
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  /** Writes a recording into the folder of the server. */
+  private void write(String file, String text) throws IOException {
+    Path recordings = Files.createDirectories(folder.resolve("recordings"));
+    Files.writeString(recordings.resolve(file), text);
+  }
+
+  /** Opens the charts, and the only recording in them. */
+  private void openRecording(Browser browser) {
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=charts#/charts"));
+    click(browser, "Open");
+    browser.await("document.querySelector('.replay')");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"odd.csv", "odd.jsonl"})
+  void aRecordingMayHaveNamesThatObjectsOfThePageHave(String file, Browser browser)
+      throws IOException {
+    write(
+        file,
+        file.endsWith(".csv")
+            ? """
+            time,seconds,__proto__,constructor,__proto__.a,X.__proto__,access_ms,status
+            2026-05-04T10:15:30.000000Z,0.000000,11,22,33,44,1.0,
+            2026-05-04T10:15:31.000000Z,1.000000,11,22,33,44,1.0,
+            """
+            : """
+            {"time":"2026-05-04T10:15:30Z","seconds":0,"values":{"__proto__":11,"constructor":22}}
+            {"time":"2026-05-04T10:15:31Z","seconds":1,"values":{"__proto__":{"a":33},"X":{"__proto__":44}}}
+            """);
+    openRecording(browser);
+
+    browser.run("document.querySelectorAll('.lines details').forEach((it) => (it.open = true))");
+    browser.await(lines("__proto__"));
+    browser.await(lines("constructor value 22"));
+    browser.run("document.querySelectorAll('.lines input').forEach((it) => it.click())");
+    seek(browser, new double[] {1});
+    browser.await(lines(".a 33"));
+    browser.await(lines(".__proto__ 44"));
+    browser.await("localStorage.getItem('charts/mock').includes('\"__proto__\":')");
+
+    browser.run("location.hash = '#/robot'");
+    browser.await("document.querySelector('.replay-mark')");
+    seek(browser, new double[] {0});
+    browser.await("document.querySelector('.old-mark').textContent.includes('no $AXIS_ACT')");
+    assertThat(browser.run("return Object.keys(Object.prototype).length")).isEqualTo(0L);
     assertThat(browser.errors()).isEmpty();
   }
 

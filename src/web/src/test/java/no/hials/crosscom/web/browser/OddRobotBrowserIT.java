@@ -153,6 +153,48 @@ class OddRobotBrowserIT {
     browser.await("document.querySelector('.top').textContent.includes('Override–')");
   }
 
+  @ParameterizedTest
+  @CsvSource({"charts, .lines", "variables, .watched"})
+  void aStructureMayHaveFieldsThatObjectsOfThePageHave(String view, String place, Browser browser)
+      throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, view);
+
+    answer("$POS_ACT", "{E6POS: __proto__ 11.5,constructor 22.5,toString 33.5}");
+
+    for (String field : List.of("__proto__", "constructor", "toString")) {
+      awaitText(browser, place, field);
+    }
+    awaitText(browser, place, "22.5");
+    browser.await("document.querySelector('.top:not(.stale)')");
+    assertThat(browser.run("return Object.keys(Object.prototype).length")).isEqualTo(0L);
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void theHeaderMayHaveWordsThatObjectsOfThePageHave(Browser browser) throws Exception {
+    open(browser, ServerType.KUKAVARPROXY, "programs");
+
+    answer("$MODE_OP", "\"constructor\"");
+    answer("$PRO_STATE1", "\"toString\"");
+    answer("$STOPMESS", "\"valueOf\"");
+
+    awaitText(browser, ".top .mode", "constructor");
+    awaitText(browser, ".interpreter.robot .state", "toString");
+    awaitText(browser, ".top", "Stop–");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  @Test
+  void anAddressOfNoViewShowsTheFirstOne(Browser browser) throws Exception {
+    pages = TestPages.start(folder);
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+
+    browser.open(pages.at("/?odd=address#/constructor"));
+
+    browser.await("document.querySelector('.variables')");
+    assertThat(browser.errors()).isEmpty();
+  }
+
   @Test
   void axesThatAreNoNumbersAreNoPose(Browser browser) throws Exception {
     open(browser, ServerType.KUKAVARPROXY, "robot");

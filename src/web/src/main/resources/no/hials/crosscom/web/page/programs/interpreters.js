@@ -7,6 +7,7 @@ import { header, mayStop, mayWrite, note, useRobot, writeHint } from '../state.j
 import { percentText } from '../value.js';
 
 const STATES = {
+  __proto__: null, // a robot may answer with any word
   '#P_FREE': 'no program selected',
   '#P_RESET': 'at its start',
   '#P_ACTIVE': 'running',

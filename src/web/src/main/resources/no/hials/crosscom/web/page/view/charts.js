@@ -13,7 +13,7 @@ import { Search } from '../variables/search.js';
 
 const SPANS = { 10: '10 s', 30: '30 s', 60: '1 min', 120: '2 min', 300: '5 min', 600: '10 min' };
 const PERIODS = [10, 20, 50, 100, 250, 500, 1000, 5000];
-const DEFAULT = { names: ['$POS_ACT', '$AXIS_ACT'], shown: {}, span: 30, period: 50, path: '' };
+const DEFAULT = { names: ['$POS_ACT', '$AXIS_ACT'], shown: new Map(), span: 30, period: 50, path: '' };
 const PLANES = { XY: ['X', 'Y'], XZ: ['X', 'Z'], YZ: ['Y', 'Z'], XYZ: ['X', 'Y', 'Z'] };
 const FRAME = 33; // ms between two pictures
 const SHORT = 4; // ms of drawing in one frame
@@ -31,8 +31,8 @@ function stored() {
     );
     return {
       names: names.map(String),
-      shown: { ...shown },
-      span: span in SPANS ? Number(span) : DEFAULT.span,
+      shown: new Map(Object.entries(shown ?? {})),
+      span: Object.hasOwn(SPANS, span) ? Number(span) : DEFAULT.span,
       period: PERIODS.includes(period) ? period : DEFAULT.period,
       path: String(path),
     };
@@ -50,7 +50,8 @@ function useSettings() {
   const change = (fields) =>
     setSettings((old) => {
       const next = { ...old, ...(typeof fields === 'function' ? fields(old) : fields) };
-      localStorage.setItem(`charts/${state.robot}`, JSON.stringify(next));
+      const saved = { ...next, shown: Object.fromEntries(next.shown) };
+      localStorage.setItem(`charts/${state.robot}`, JSON.stringify(saved));
       return next;
     });
   return [settings, change];
@@ -58,12 +59,12 @@ function useSettings() {
 
 /** Returns the units of numbers by their names; asks for those that are new. */
 function useUnits(leaves) {
-  const [units, setUnits] = useState({});
-  const missing = leaves.filter((leaf) => !(leaf in units));
+  const [units, setUnits] = useState(new Map());
+  const missing = leaves.filter((leaf) => !units.has(leaf));
   useEffect(() => {
     if (missing.length > 0) {
       call('units', { names: missing })
-        .then((answer) => setUnits((old) => ({ ...old, ...answer.units })))
+        .then((answer) => setUnits((old) => new Map([...old, ...Object.entries(answer.units)])))
         .catch((e) => note('error', e.message));
     }
   }, [missing.join('\n')]);
@@ -79,7 +80,7 @@ function isFirstChoice(leaf, unit, names) {
 function panelsOf(leaves, units, isShown) {
   const panels = new Map();
   for (const leaf of leaves) {
-    const unit = units[leaf];
+    const unit = units.get(leaf);
     if (unit !== undefined && isShown(leaf)) {
       const lines = panels.get(unit) ?? [];
       const dash = lines.length >= LINES ? [6, 3] : undefined;
@@ -410,7 +411,7 @@ function Lines({ picture, names, units, panels, isFirst, stale, onShow, onRemove
           picture,
           leaf,
           title: leaf === name ? 'value' : leaf.slice(skipped),
-          unit: units[leaf] ?? '',
+          unit: units.get(leaf) ?? '',
           line: shown.get(leaf),
           onShow,
         });
@@ -523,8 +524,8 @@ export function View() {
   // a recording may have more variables, for the 3-D view, than were chosen
   const chosen = settings.names.map((name) => name.split(/[.[]/, 1)[0]);
   const first = names.some((name) => chosen.includes(name)) ? chosen : names;
-  const isFirst = (leaf) => isFirstChoice(leaf, units[leaf] ?? '', first);
-  const panels = panelsOf(leaves, units, (leaf) => settings.shown[leaf] ?? isFirst(leaf));
+  const isFirst = (leaf) => isFirstChoice(leaf, units.get(leaf) ?? '', first);
+  const panels = panelsOf(leaves, units, (leaf) => settings.shown.get(leaf) ?? isFirst(leaf));
   const bases = pathsOf(leaves);
   const [base, plane] = settings.path.split(' ');
   const live = () => (picture.source.latest && !picture.source.isFixed ? picture.source.latest * 1000 : undefined);
@@ -556,7 +557,7 @@ export function View() {
           'div',
           { class: stale ? 'old' : '' },
           [...panels].map(([unit, lines]) => h(TimeChart, { key: unit, picture, unit, lines })),
-          bases.includes(base) && plane in PLANES && h(Path, { picture, base, plane }),
+          bases.includes(base) && Object.hasOwn(PLANES, plane) && h(Path, { picture, base, plane }),
         ),
         h(
           'p',
@@ -577,7 +578,7 @@ export function View() {
         panels,
         isFirst,
         stale,
-        onShow: (leaf, value) => change((old) => ({ shown: { ...old.shown, [leaf]: value } })),
+        onShow: (leaf, value) => change((old) => ({ shown: new Map(old.shown).set(leaf, value) })),
         onRemove: player ? null : (name) => change({ names: settings.names.filter((it) => it !== name) }),
       }),
       !player &&

@@ -262,6 +262,30 @@ class RecordingTest {
   }
 
   @ParameterizedTest
+  @ValueSource(strings = {"a.csv", "a.jsonl"})
+  void aRecordingWithTooManyColumnsIsOnlyDownloaded(String file) throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      String row = "{\"time\":\"2026-11-23T12:00:00Z\",\"seconds\":0,\"values\":{\"N[]\":[%s0]}}\n";
+      String header = "time,seconds,%saccess_ms,status\n2026-11-23T12:00:00Z,0,%s1,ok\n";
+      Files.writeString(
+          files.resolve(file),
+          file.endsWith(".csv")
+              ? header.formatted("N,".repeat(10_001), "1,".repeat(10_001))
+              : row.formatted("0,".repeat(10_000)));
+
+      HttpResponse<String> answer =
+          pages.get(pages.at("/recordings/" + file + "/columns"), "Cookie", pages.login(Role.VIEW));
+
+      assertThat(answer.statusCode()).isEqualTo(422);
+      assertThat(answer.body())
+          .isEqualTo(
+              "a recording that is opened may have at most 10000 columns, this one has more;"
+                  + " download it instead\n");
+    }
+  }
+
+  @ParameterizedTest
   @CsvSource({
     "5.0, 3.2, 'row 2 must have the seconds of a later time, has 3.2 after 5.0'",
     "0.0, Infinity, 'row 2 must have the seconds of a later time, has Infinity after 0.0'"

@@ -27,19 +27,21 @@ class Recording {
     this.latest = this.times[head.rows - 1];
     this.units = new Map();
     this.columns = new Map();
-    this.names = [];
+    this.leavesOf = new Map();
     head.columns.forEach(({ name, unit }, i) => {
       this.columns.set(name, column(i + 1));
       this.units.set(name, unit);
       const variable = variableOf(name);
-      if (!this.names.includes(variable)) {
-        this.names.push(variable);
+      if (!this.leavesOf.has(variable)) {
+        this.leavesOf.set(variable, []);
       }
+      this.leavesOf.get(variable).push(name);
     });
+    this.names = [...this.leavesOf.keys()];
   }
 
   leaves(name) {
-    return [...this.columns.keys()].filter((leaf) => variableOf(leaf) === name);
+    return this.leavesOf.get(name) ?? [];
   }
 
   track(leaf) {

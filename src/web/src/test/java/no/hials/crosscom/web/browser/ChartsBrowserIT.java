@@ -6,6 +6,9 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import no.hials.crosscom.cell.recording.RecordedData;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
@@ -14,6 +17,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.openqa.selenium.Keys;
@@ -199,6 +203,36 @@ class ChartsBrowserIT {
     browser.await("document.querySelector('.old-mark').textContent.includes('no $AXIS_ACT')");
     assertThat(browser.run("return Object.keys(Object.prototype).length")).isEqualTo(0L);
     assertThat(browser.errors()).isEmpty();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"V%d, V2999, V2999 value 2999", "$IN[%d], $IN[2999], [2999] 2999"})
+  void aRecordingOfThousandsOfNumbersIsListedInPartsAndFiltered(
+      String name, String filter, String row, Browser browser) throws IOException {
+    String values =
+        IntStream.range(1, 3000)
+            .mapToObj(i -> "\"" + name.formatted(i) + "\":" + i)
+            .collect(Collectors.joining(",", "{", "}"));
+    write(
+        "many.jsonl",
+        "{\"time\":\"2026-05-04T10:15:30Z\",\"seconds\":0,\"values\":%s}\n".formatted(values));
+    openRecording(browser);
+    browser.await(lines("2999 found. The first 200 are listed."));
+    assertThat(count(browser, ".lines .line")).isEqualTo(200);
+    assertThat(count(browser, "*")).isLessThan(3000);
+    assertThat(browser.run("return " + lines(row))).isEqualTo(false);
+
+    browser.find(".lines input[type=search]").sendKeys(filter.toLowerCase(Locale.ROOT));
+
+    browser.await(lines("1 found."));
+    browser.await(lines(row));
+    browser.click(".lines .line input");
+    browser.await("document.querySelector('.chart .plot').ariaLabel.includes('" + filter + "')");
+    assertThat(browser.errors()).isEmpty();
+  }
+
+  private static long count(Browser browser, String selector) {
+    return (Long) browser.run("return document.querySelectorAll(arguments[0]).length", selector);
   }
 
   /** Returns an expression for whether the table of axes has a value. */

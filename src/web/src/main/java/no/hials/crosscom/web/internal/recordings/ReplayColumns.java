@@ -32,6 +32,9 @@ final class ReplayColumns {
   /** The maximum memory of the numbers: some copies of it exist at a time. */
   static final long MAX_BYTES = 32L * 1024 * 1024;
 
+  /** The maximum number of columns: a page lists all of them. */
+  static final int MAX_COLUMNS = 10_000;
+
   private final Instant start;
   private final double[] seconds;
   private final Map<String, double[]> columns;
@@ -105,6 +108,12 @@ final class ReplayColumns {
   }
 
   private static void checkSize(long rows, long columns) throws CommandException {
+    if (columns > MAX_COLUMNS) {
+      throw new CommandException(
+          "a recording that is opened may have at most "
+              + MAX_COLUMNS
+              + " columns, this one has more; download it instead");
+    }
     if (rows * (columns + 1) * Double.BYTES > MAX_BYTES) {
       throw new CommandException(
           "a recording that is opened may have at most "

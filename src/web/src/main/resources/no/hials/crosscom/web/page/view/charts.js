@@ -3,10 +3,11 @@
 import { h } from 'preact';
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { lineColour, LINES, useColours } from '../charts/colours.js';
+import { Lines, matches, MAX_ROWS } from '../charts/lines.js';
 import { PlanePath, SpacePath } from '../charts/path-panel.js';
 import { Recordings } from '../charts/recordings.js';
 import { TimePanel } from '../charts/time-panel.js';
-import { Tracks, valueAt } from '../charts/tracks.js';
+import { Tracks } from '../charts/tracks.js';
 import { call, watch } from '../socket.js';
 import { note, oldAfter, state, useSharedState, useStale } from '../state.js';
 import { Search } from '../variables/search.js';
@@ -20,6 +21,9 @@ const SHORT = 4; // ms of drawing in one frame
 const TEXT_PERIOD = 200;
 const SHORTEST = 0.02; // s
 const SHARE = 0.02; // of the window: a step of the cursor by the keys
+const MAX_FIRST = 4 * LINES; // lines of a unit that are drawn unless somebody chooses others
+const MAX_PATHS = 50;
+const MAX_UNITS = 1000; // as the server answers
 
 /** The readings of each robot, which stay while another view is shown. */
 const kept = new Map();
@@ -60,7 +64,7 @@ function useSettings() {
 /** Returns the units of numbers by their names; asks for those that are new. */
 function useUnits(leaves) {
   const [units, setUnits] = useState(new Map());
-  const missing = leaves.filter((leaf) => !units.has(leaf));
+  const missing = leaves.filter((leaf) => !units.has(leaf)).slice(0, MAX_UNITS);
   useEffect(() => {
     if (missing.length > 0) {
       call('units', { names: missing })
@@ -71,9 +75,19 @@ function useUnits(leaves) {
   return units;
 }
 
-/** Returns whether a number is drawn by default: if it has a unit. */
-function isFirstChoice(leaf, unit, names) {
-  return (unit !== '' || !leaf.includes('.')) && names.includes(leaf.split(/[.[]/, 1)[0]);
+/** Returns the numbers that are drawn by default: those with a unit, but not hundreds of lines. */
+function firstChoice(leaves, units, names) {
+  const result = new Set();
+  const counts = new Map();
+  for (const leaf of leaves) {
+    const unit = units.get(leaf) ?? '';
+    const count = counts.get(unit) ?? 0;
+    if ((unit !== '' || !leaf.includes('.')) && count < MAX_FIRST && names.has(leaf.split(/[.[]/, 1)[0])) {
+      result.add(leaf);
+      counts.set(unit, count + 1);
+    }
+  }
+  return result;
 }
 
 /** Returns the lines of each panel, by their unit. */
@@ -82,9 +96,12 @@ function panelsOf(leaves, units, isShown) {
   for (const leaf of leaves) {
     const unit = units.get(leaf);
     if (unit !== undefined && isShown(leaf)) {
-      const lines = panels.get(unit) ?? [];
+      if (!panels.has(unit)) {
+        panels.set(unit, []);
+      }
+      const lines = panels.get(unit);
       const dash = lines.length >= LINES ? [6, 3] : undefined;
-      panels.set(unit, [...lines, { leaf, colour: lineColour(lines.length), dash }]);
+      lines.push({ leaf, colour: lineColour(lines.length), dash });
     }
   }
   return panels;
@@ -367,86 +384,13 @@ function Path({ picture, base, plane }) {
   );
 }
 
-function number(value) {
-  if (Number.isNaN(value)) {
-    return '–';
-  }
-  if (Number.isInteger(value)) {
-    return String(value);
-  }
-  const digits = Math.abs(value) < 10 ? 4 : 2;
-  return (Number(value.toFixed(digits)) + 0).toFixed(digits); // without -0
-}
-
-function Line({ picture, leaf, title, unit, line, onShow }) {
-  return h(
-    'label',
-    { class: 'line' },
-    h('input', {
-      type: 'checkbox',
-      checked: line !== undefined,
-      onChange: (event) => onShow(leaf, event.target.checked),
-    }),
-    h('span', { class: `swatch ${line ? line.colour.slice(2) : 'none'}` }),
-    h('span', { class: 'part' }, title),
-    h('span', { class: 'reading' }, number(valueAt(picture.source.track(leaf), picture.time()))),
-    h('span', { class: 'unit' }, unit),
-  );
-}
-
-/** The numbers of the chosen variables, each of which can be shown or hidden. */
-function Lines({ picture, names, units, panels, isFirst, stale, onShow, onRemove }) {
-  const shown = new Map([...panels.values()].flat().map((line) => [line.leaf, line]));
-  return h(
-    'section',
-    { class: `panel lines ${stale ? 'stale' : ''}`, 'aria-label': 'Lines' },
-    names.map((name) => {
-      const leaves = picture.source.leaves(name);
-      const skipped = name.replace(/\[\]$/, '').length;
-      const isListed = (leaf) => shown.has(leaf) || isFirst(leaf);
-      const others = leaves.filter((leaf) => !isListed(leaf));
-      const row = (leaf) =>
-        h(Line, {
-          key: leaf,
-          picture,
-          leaf,
-          title: leaf === name ? 'value' : leaf.slice(skipped),
-          unit: units.get(leaf) ?? '',
-          line: shown.get(leaf),
-          onShow,
-        });
-      return h(
-        'fieldset',
-        { key: name },
-        h(
-          'legend',
-          null,
-          h('span', { class: 'variable' }, name),
-          onRemove &&
-            h(
-              'button',
-              { class: 'quiet', 'aria-label': `Remove ${name}`, onClick: () => onRemove(name) },
-              '×',
-            ),
-        ),
-        leaves.length === 0 && h('p', { class: 'hint' }, picture.source.error?.(name) ?? 'No number yet.'),
-        leaves.filter(isListed).map(row),
-        others.length > 0 &&
-          h(
-            'details',
-            null,
-            h('summary', null, `${others.length} more`),
-            others.map(row),
-          ),
-      );
-    }),
-  );
-}
-
-function Tools({ picture, settings, onChange, bases }) {
+function Tools({ picture, settings, onChange, bases, filter }) {
   const { player } = picture;
   const isPaused = picture.frozen !== null;
-  const path = bases.some((base) => settings.path.startsWith(`${base} `)) ? settings.path : '';
+  const isChosen = (base) => settings.path.startsWith(`${base} `);
+  const path = bases.some(isChosen) ? settings.path : '';
+  const found = bases.filter((base) => isChosen(base) || matches(base, filter));
+  const listed = found.filter((base, i) => i < MAX_PATHS || isChosen(base));
   return h(
     'div',
     { class: 'chart-tools' },
@@ -488,11 +432,13 @@ function Tools({ picture, settings, onChange, bases }) {
         onChange: (event) => onChange({ path: event.target.value }),
       },
       h('option', { value: '' }, 'No path'),
-      bases.flatMap((base) =>
+      listed.flatMap((base) =>
         Object.keys(PLANES).map((plane) =>
           h('option', { key: base + plane, value: `${base} ${plane}` }, `${base} ${plane}`),
         ),
       ),
+      found.length > listed.length &&
+        h('option', { disabled: true }, `${found.length - listed.length} more: filter the lines`),
     ),
     h(
       'span',
@@ -515,17 +461,22 @@ function Tools({ picture, settings, onChange, bases }) {
 export function View() {
   useSharedState();
   const [settings, change] = useSettings();
+  const [filter, setFilter] = useState('');
   const picture = usePicture(settings);
   const { player } = picture;
+  useEffect(() => setFilter(''), [player]);
   const names = player ? player.recording.names : settings.names;
   const leaves = [...new Set(names.flatMap((name) => picture.source.leaves(name)))];
   const asked = useUnits(player ? [] : leaves);
   const units = player ? player.recording.units : asked;
   // a recording may have more variables, for the 3-D view, than were chosen
   const chosen = settings.names.map((name) => name.split(/[.[]/, 1)[0]);
-  const first = names.some((name) => chosen.includes(name)) ? chosen : names;
-  const isFirst = (leaf) => isFirstChoice(leaf, units.get(leaf) ?? '', first);
-  const panels = panelsOf(leaves, units, (leaf) => settings.shown.get(leaf) ?? isFirst(leaf));
+  const first = firstChoice(
+    leaves,
+    units,
+    new Set(names.some((name) => chosen.includes(name)) ? chosen : names),
+  );
+  const panels = panelsOf(leaves, units, (leaf) => settings.shown.get(leaf) ?? first.has(leaf));
   const bases = pathsOf(leaves);
   const [base, plane] = settings.path.split(' ');
   const live = () => (picture.source.latest && !picture.source.isFixed ? picture.source.latest * 1000 : undefined);
@@ -546,7 +497,7 @@ export function View() {
       h(
         'section',
         { class: 'panel', 'aria-label': 'Charts' },
-        h(Tools, { picture, settings, onChange: change, bases }),
+        h(Tools, { picture, settings, onChange: change, bases, filter: leaves.length > MAX_ROWS ? filter : '' }),
         panels.size === 0 &&
           h(
             'p',
@@ -574,10 +525,13 @@ export function View() {
       h(Lines, {
         picture,
         names,
+        leaves,
         units,
         panels,
-        isFirst,
+        first,
+        filter: leaves.length > MAX_ROWS ? filter : '',
         stale,
+        onFilter: setFilter,
         onShow: (leaf, value) => change((old) => ({ shown: new Map(old.shown).set(leaf, value) })),
         onRemove: player ? null : (name) => change({ names: settings.names.filter((it) => it !== name) }),
       }),

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.protocol.value.PrintableText;
 
 /**
  * The contents of a CSV file that {@code record} wrote. The columns are {@link #TIME}, {@link
@@ -79,7 +80,8 @@ public final class RecordedData {
     try {
       return new Rows(records).data();
     } catch (IllegalArgumentException e) {
-      throw new FileException(file + " is not a recording: " + e.getMessage(), e);
+      String reason = PrintableText.shortened(String.valueOf(e.getMessage()));
+      throw new FileException(file + " is not a recording: " + reason, e);
     }
   }
 

@@ -116,6 +116,14 @@ class RecordedDataTest {
   }
 
   @Test
+  void repeatsOnlyTheEndsOfALongFirstLine() {
+    assertThatThrownBy(() -> read("x".repeat(100_000), FIRST))
+        .isInstanceOf(FileException.class)
+        .hasMessageContaining("the first line must be time,seconds,...,access_ms,status, is xxx")
+        .satisfies(e -> assertThat(e.getMessage().length()).isLessThan(3000));
+  }
+
+  @Test
   void saysInWhichLineARowHasAnotherNumberOfFields() {
     assertThatThrownBy(
             () ->

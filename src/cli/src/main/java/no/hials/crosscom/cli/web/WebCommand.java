@@ -223,8 +223,9 @@ public final class WebCommand extends ConsoleCommand {
     if (archive != null && !mock) {
       throw wrongUsage("--archive goes with --mock");
     }
-    if (shapes != null && !Files.isDirectory(shapes)) {
-      throw wrongUsage("--stl: there is no folder " + shapes);
+    // an empty path would be the current folder
+    if (shapes != null && (shapes.toString().isEmpty() || !Files.isDirectory(shapes))) {
+      throw wrongUsage("--stl: there is no folder '" + shapes + "'");
     }
     if (jogMaxDelay.compareTo(LONGEST_DELAY) > 0 || jogMaxDelay.toMillis() < 1) {
       throw wrongUsage("--jog-max-delay must be 1ms to 2s, is " + jogMaxDelay.toMillis() + "ms");

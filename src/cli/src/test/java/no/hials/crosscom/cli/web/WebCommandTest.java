@@ -98,7 +98,9 @@ class WebCommandTest {
         "--tls --tls-password-file a | --tls-password-file goes with --tls-cert or --keystore",
         "--tls-cert none.pem | cannot read none.pem: file not found",
         "--keystore none.p12 | cannot read the key store none.p12",
-        "--keystore none.p12 --tls-password-file none | cannot read none: file not found"
+        "--keystore none.p12 --tls-password-file none | cannot read none: file not found",
+        "--stl none | --stl: there is no folder 'none'",
+        "--stl= | --stl: there is no folder ''"
       })
   void wrongOptionsAreReportedBeforeAnythingListens(String options, String message) {
     Cli.Result result =

@@ -1,7 +1,10 @@
 package no.hials.crosscom.web.internal.variables;
 
 import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
 import no.hials.crosscom.cell.Catalogue;
+import no.hials.crosscom.cell.CatalogueEntry;
 import no.hials.crosscom.cell.ControllerDataLists;
 import no.hials.crosscom.web.internal.robot.RobotSession;
 import org.jspecify.annotations.Nullable;
@@ -20,6 +23,7 @@ final class KnownNames {
 
   // guarded by this
   private @Nullable Catalogue known;
+  private List<SearchedVariable> searched = List.of();
   private boolean loading;
   private boolean complete;
 
@@ -41,11 +45,30 @@ final class KnownNames {
   }
 
   /**
+   * A variable.
+   *
+   * @param text where a search looks for words, in small letters
+   */
+  record SearchedVariable(CatalogueEntry entry, String text) {
+    static List<SearchedVariable> listOf(Catalogue catalogue) {
+      return catalogue.variables().stream()
+          .map(
+              it ->
+                  new SearchedVariable(
+                      it,
+                      String.join("\n", it.declarator(), it.type(), it.unit(), it.meaning())
+                          .toLowerCase(Locale.ROOT)))
+          .toList();
+    }
+  }
+
+  /**
    * The names that are known at a time.
    *
+   * @param searched the variables, with texts that each search would build again
    * @param loading whether the data lists are being read, so that there may soon be more
    */
-  record Names(Catalogue catalogue, boolean loading) {}
+  record Names(Catalogue catalogue, List<SearchedVariable> searched, boolean loading) {}
 
   /** Returns the names that are known now. Starts to read the data lists on the controller. */
   synchronized Names now() {
@@ -58,6 +81,7 @@ final class KnownNames {
               .map(server -> Catalogue.of(server.variables().toDataList("$VARIABLES")))
               .orElseGet(Catalogue::system);
       known = names;
+      searched = SearchedVariable.listOf(names);
     }
     if (!complete && !loading) {
       loading = true;
@@ -66,14 +90,16 @@ final class KnownNames {
       thread.setDaemon(true);
       thread.start();
     }
-    return new Names(names, loading);
+    return new Names(names, searched, loading);
   }
 
   private void readLists(Catalogue base) {
     try {
       Catalogue all = base.plus(ControllerDataLists.read(robot.client()));
+      List<SearchedVariable> allSearched = SearchedVariable.listOf(all);
       synchronized (this) {
         known = all;
+        searched = allSearched;
         complete = true;
         loading = false;
       }

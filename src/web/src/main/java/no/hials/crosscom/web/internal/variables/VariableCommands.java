@@ -81,7 +81,10 @@ public final class VariableCommands {
     KnownNames.Names known = names(robots.of(call)).now();
     Catalogue catalogue = known.catalogue();
     List<CatalogueEntry> found =
-        catalogue.variables().stream().filter(entry -> matches(entry, words)).toList();
+        known.searched().stream()
+            .filter(it -> words.stream().allMatch(it.text()::contains))
+            .map(KnownNames.SearchedVariable::entry)
+            .toList();
     answer.put("total", found.size());
     answer.put("loading", known.loading());
     ArrayNode list = answer.putArray("found");
@@ -91,13 +94,6 @@ public final class VariableCommands {
             entry ->
                 write(entry, list.addObject())
                     .put("structure", !catalogue.fields(entry).isEmpty()));
-  }
-
-  private static boolean matches(CatalogueEntry entry, List<String> words) {
-    String all =
-        String.join("\n", entry.declarator(), entry.type(), entry.unit(), entry.meaning())
-            .toLowerCase(Locale.ROOT);
-    return words.stream().allMatch(all::contains);
   }
 
   private static ObjectNode write(CatalogueEntry entry, ObjectNode json) {

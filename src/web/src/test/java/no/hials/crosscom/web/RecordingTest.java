@@ -262,6 +262,32 @@ class RecordingTest {
   }
 
   @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "a.jsonl | {\"time\": | line 1 of a.jsonl is not JSON",
+        "a.jsonl | {\"time\":\"-1000000000-01-01T00:00:00Z\",\"seconds\":0,\"values\":{\"R\":1}} |"
+            + " begins at -1000000000-01-01T00:00:00Z",
+        "a.jsonl | {\"time\":\"-1000000000-01-01T00:00:00Z\",\"seconds\":1,\"values\":{\"R\":1}} |"
+            + " line 1 has no time",
+        "a.jsonl | {\"time\":\"+10000-01-01T00:00:00Z\",\"seconds\":0,\"values\":{\"R\":1}} |"
+            + " begins at +10000-01-01T00:00:00Z"
+      })
+  void aLineOfJsonThatCannotBeReplayedIsRefusedWithItsReason(
+      String file, String line, String reason) throws Exception {
+    try (TestPages pages = pages(ServerType.C3_BRIDGE)) {
+      Path files = Files.createDirectories(folder.resolve("recordings"));
+      Files.writeString(files.resolve(file), line);
+
+      HttpResponse<String> answer =
+          pages.get(pages.at("/recordings/" + file + "/columns"), "Cookie", pages.login(Role.VIEW));
+
+      assertThat(answer.statusCode()).isEqualTo(422);
+      assertThat(answer.body()).contains(reason);
+    }
+  }
+
+  @ParameterizedTest
   @ValueSource(strings = {"a.csv", "a.jsonl"})
   void aRecordingWithTooManyColumnsIsOnlyDownloaded(String file) throws Exception {
     try (TestPages pages = pages(ServerType.C3_BRIDGE)) {

@@ -35,6 +35,9 @@ final class ReplayColumns {
   /** The maximum number of columns: a page lists all of them. */
   static final int MAX_COLUMNS = 10_000;
 
+  private static final Instant EARLIEST = Instant.parse("0000-01-01T00:00:00Z");
+  private static final Instant LATEST = Instant.parse("9999-12-31T23:59:59Z");
+
   private final Instant start;
   private final double[] seconds;
   private final Map<String, double[]> columns;
@@ -92,7 +95,7 @@ final class ReplayColumns {
       checkTime("row " + (i + 1), seconds[i], before);
       before = seconds[i];
     }
-    return new ReplayColumns(data.start(), seconds, columns, texts);
+    return new ReplayColumns(checkedStart(data.start()), seconds, columns, texts);
   }
 
   /** Checks that a time can follow another one: a replay finds its rows by their times. */
@@ -105,6 +108,17 @@ final class ReplayColumns {
               + (Double.isFinite(before) ? " after " + before : "")
               + "; download the recording instead");
     }
+  }
+
+  /** Checks a start: its milliseconds must fit into a number of the page. */
+  private static Instant checkedStart(Instant start) throws CommandException {
+    if (start.isBefore(EARLIEST) || start.isAfter(LATEST)) {
+      throw new CommandException(
+          "a recording that is opened must begin in one of the years 0 to 9999, begins at "
+              + start
+              + "; download it instead");
+    }
+    return start;
   }
 
   private static void checkSize(long rows, long columns) throws CommandException {
@@ -130,7 +144,7 @@ final class ReplayColumns {
         try {
           row = Json.parse(line);
         } catch (IOException e) {
-          if (lines.readLine() == null) {
+          if (rows.lines > 0 && lines.readLine() == null) {
             break; // the last line is incomplete, as after a power failure
           }
           throw new CommandException(
@@ -162,8 +176,9 @@ final class ReplayColumns {
       if (count == 0) {
         try {
           long nanos = Math.round(now * 1e9);
-          start = Instant.parse(row.path("time").asText()).minus(Duration.ofNanos(nanos));
-        } catch (DateTimeException e) {
+          start =
+              checkedStart(Instant.parse(row.path("time").asText()).minus(Duration.ofNanos(nanos)));
+        } catch (DateTimeException | ArithmeticException e) {
           throw new CommandException("line 1 has no time");
         }
       } else if (row.path("failed").asInt() > 0) {

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.net.URI;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -220,17 +222,50 @@ class OddRobotBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  /** Returns an STL file in text with a triangle whose first vertex is given. */
+  private static String triangle(String vertex) {
+    return """
+        SOLID x
+        facet normal 0 0 1
+        outer loop
+        vertex %s
+        vertex 0 1 2E2
+        vertex 1 0 2e2
+        endloop
+        endfacet
+        ENDSOLID x
+        """
+        .formatted(vertex);
+  }
+
   @Test
-  void aBadShapeIsNamedAndTheNextOneIsLoaded(Browser browser) throws Exception {
+  void allBadShapesAreNamedWithTheirReasonsAndTheOthersAreShown(Browser browser) throws Exception {
     Path shapes = Files.createDirectory(folder.resolve("shapes"));
+    Files.writeString(shapes.resolve("base.stl"), triangle("0 0 200"));
     Files.writeString(shapes.resolve("a1.stl"), "not a shape");
-    Files.writeString(shapes.resolve("a2.stl"), "not a shape either");
+    Files.writeString(shapes.resolve("a2.stl"), "x".repeat(200));
+    Files.writeString(shapes.resolve("a3.stl"), "solid x\nendsolid x\n");
+    ByteBuffer binary = ByteBuffer.allocate(84 + 50).order(ByteOrder.LITTLE_ENDIAN);
+    binary.putInt(80, 1).putFloat(84 + 12 + 4, Float.NaN);
+    Files.write(shapes.resolve("a4.stl"), binary.array());
+    Files.writeString(shapes.resolve("a5.stl"), triangle("0 1e9 200"));
+    Files.writeString(shapes.resolve("a6.stl"), triangle("0 -1e999 200"));
+    Files.writeString(shapes.resolve("tool.stl"), triangle("0 nan 200"));
     pages = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.shapes(shapes));
     browser.open(URI.create(pages.web().link(Role.VIEW)));
     browser.open(pages.at("/?odd=shapes#/robot"));
 
-    awaitText(browser, ".notes", "a1.stl is not shown: ");
-    awaitText(browser, ".notes", "a2.stl is not shown: ");
+    awaitText(browser, ".unshown", "tool.stl is not shown: ");
+    assertThat(browser.text(".unshown").lines())
+        .containsExactly(
+            "a1.stl is not shown: it has 11 bytes and does not begin with solid, unlike an STL file",
+            "a2.stl is not shown: it does not begin with solid, and as a binary file of 2021161080"
+                + " triangles it must have 101058054084 bytes, has 200",
+            "a3.stl is not shown: it has no complete triangle",
+            "a4.stl is not shown: a vertex must be within 100 m, is at 0, NaN, 0 mm",
+            "a5.stl is not shown: a vertex must be within 100 m, is at 0, 1000000000, 200 mm",
+            "a6.stl is not shown: a vertex must be within 100 m, is at 0, -Infinity, 200 mm",
+            "tool.stl is not shown: a triangle must have three vertices of three numbers each");
   }
 
   @Test

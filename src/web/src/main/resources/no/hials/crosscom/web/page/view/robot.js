@@ -92,18 +92,14 @@ async function loadShapes(scene, model, failed) {
   if (model.shapes.length === 0) {
     return;
   }
-  const { STLLoader } = await import('three/stl-loader');
+  const { readShape } = await import('../robot/shape.js');
   for (const link of model.shapes) {
     try {
       const answer = await fetch(`/shapes/${link}.stl`);
       if (!answer.ok) {
-        throw new Error(await answer.text());
+        throw new Error((await answer.text()).trim());
       }
-      const shape = new STLLoader().parse(await answer.arrayBuffer());
-      if (!shape.getAttribute('position')?.count) {
-        throw new Error('it has no triangle');
-      }
-      scene.setShape(link, shape);
+      scene.setShape(link, readShape(await answer.arrayBuffer()));
     } catch (e) {
       failed(`${link}.stl is not shown: ${e.message}`); // the others are
     }
@@ -118,7 +114,9 @@ async function loadShapes(scene, model, failed) {
 function usePicture(canvas, model, latest) {
   const picture = useRef(null);
   const [failure, setFailure] = useState('');
+  const [unshown, setUnshown] = useState([]);
   useEffect(() => {
+    setUnshown([]);
     if (!model) {
       return undefined;
     }
@@ -144,7 +142,8 @@ function usePicture(canvas, model, latest) {
           dark.addEventListener('change', theme);
           observer.observe(document.documentElement, { attributeFilter: ['data-theme'] });
           show(picture.current, model, latest.current);
-          const failed = (text) => wanted && note('error', text);
+          // not as notes, of which only a few are visible, and not for long
+          const failed = (text) => wanted && setUnshown((old) => [...old, text]);
           loadShapes(picture.current, model, failed).catch((e) => failed(e.message));
         }
       })
@@ -157,7 +156,7 @@ function usePicture(canvas, model, latest) {
       picture.current = null;
     };
   }, [model]);
-  return [picture, failure];
+  return [picture, failure, unshown];
 }
 
 /** Shows values in the picture. */
@@ -283,7 +282,7 @@ export function View() {
   const latest = useRef({});
   const [values, setValues] = useState({});
   const [withPath, setWithPath] = useState(true);
-  const [picture, failure] = usePicture(canvas, model, latest);
+  const [picture, failure, unshown] = usePicture(canvas, model, latest);
   useEffect(() => {
     if (!model) {
       return undefined;
@@ -377,6 +376,11 @@ export function View() {
         model.target && h('span', { class: 'key target' }, `target, ${model.target}`),
         h('span', { class: 'key path' }, 'path of the tool'),
         h('span', { class: 'keys' }, 'Drag to turn, two fingers or the wheel to zoom; arrow keys, + and −.'),
+      ),
+      h(
+        'div',
+        { class: 'unshown', role: 'status' },
+        unshown.map((text) => h('p', { key: text, class: 'failure' }, text)),
       ),
     ),
     h(Numbers, { model, values, stale }),

@@ -231,6 +231,42 @@ class ChartsBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"1E308", "Infinity"})
+  void aNumberThatIsTooLargeForAnAxisLeavesTheOtherLinesVisible(String large, Browser browser)
+      throws IOException {
+    String time = "2026-05-04T10:15:30.000000Z";
+    write(
+        "large.csv",
+        String.join(
+            "\n",
+            "time,seconds,X,Y,access_ms,status",
+            time + ",0," + large + ",5,1,",
+            time + ",1,-" + large + ",5,1,",
+            time + ",2," + large + ",5,1,"));
+    openRecording(browser);
+    browser.await("document.querySelector('.chart canvas')");
+    browser.run(
+        """
+        window.isDrawn = (line) => {
+          const canvas = document.querySelector('.chart canvas');
+          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+          const swatch = getComputedStyle(document.querySelector(`.swatch.${line}`));
+          const wanted = swatch.backgroundColor.match(/\\d+/g).map(Number);
+          for (let i = 0; i < data.length; i += 4) {
+            if (data[i + 3] > 200 && wanted.every((it, k) => Math.abs(data[i + k] - it) < 30)) {
+              return true;
+            }
+          }
+          return false;
+        };
+        """);
+
+    browser.await("isDrawn('line-0') && isDrawn('line-1')");
+    browser.picture("charts-large-" + large);
+    assertThat(browser.errors()).isEmpty();
+  }
+
   private static long count(Browser browser, String selector) {
     return (Long) browser.run("return document.querySelectorAll(arguments[0]).length", selector);
   }

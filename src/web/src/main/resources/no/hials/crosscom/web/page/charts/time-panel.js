@@ -3,7 +3,7 @@
 import uPlot from 'uplot';
 import { colour } from './colours.js';
 import { Place } from './place.js';
-import { slots } from './tracks.js';
+import { drawn, slots } from './tracks.js';
 
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 1800, 3600];
 const MAX_SLOTS = 600;
@@ -25,9 +25,10 @@ export function withRoom(least, greatest) {
   if (least === null || least === undefined) {
     return [0, 1];
   }
-  const range = greatest - least;
-  const room = range > 1e-9 * Math.abs(greatest) ? 0.06 * range : Math.max(0.5, 0.02 * Math.abs(least));
-  return [least - room, greatest + room];
+  const [low, high] = [drawn(least), drawn(greatest)];
+  const range = high - low;
+  const room = range > 1e-9 * Math.abs(high) ? 0.06 * range : Math.max(0.5, 0.02 * Math.abs(low));
+  return [low - room, high + room];
 }
 
 export class TimePanel {

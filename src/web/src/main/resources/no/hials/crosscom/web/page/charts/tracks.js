@@ -4,6 +4,7 @@
 
 const MAX_SECONDS = 600;
 const SMALLEST = 1024;
+const LARGEST = 1e30; // the axes of charts end at 1E32
 const LONGEST_SILENCE = 1; // s without a reading, which becomes a gap
 
 /** Calls a function with each number within a value: its name and the number. */
@@ -180,6 +181,11 @@ export function rowAt({ times, first, end }, time) {
   return low - 1;
 }
 
+/** Returns the number that a chart draws: one that is too large for an axis is at its end. */
+export function drawn(value) {
+  return Math.max(-LARGEST, Math.min(LARGEST, value));
+}
+
 /** Returns the number at a time: that of the last reading before it; NaN in a gap. */
 export function valueAt(track, time) {
   const row = track ? rowAt(track, time) : -1;
@@ -221,7 +227,7 @@ function fill(track, start, width, length) {
     let greatestRow = -1;
     let gapRow = -1;
     do {
-      const value = values[row];
+      const value = drawn(values[row]);
       if (Number.isNaN(value)) {
         gapRow = row;
       } else {

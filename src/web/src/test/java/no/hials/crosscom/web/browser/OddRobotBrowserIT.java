@@ -198,6 +198,26 @@ class OddRobotBrowserIT {
   }
 
   @Test
+  void aLongNumberNeedsOneLineOnASmallPhone(Browser browser) throws Exception {
+    browser.size(Browser.Size.SMALL_PHONE);
+    open(browser, ServerType.C3_BRIDGE, "variables");
+
+    answer("$POS_ACT", "{E6POS: X -7.88860905E-31,Y -7.88860905E-31,E1 -7.88860905E-31,E2 1.0}");
+
+    awaitText(browser, ".watched .fields", "E1-7.88860905e-31");
+    browser.picture("variables-long-numbers");
+    assertThat(
+            browser.run(
+                """
+                const fields = [...document.querySelectorAll('.watched .fields')]
+                  .find((it) => it.textContent.includes('e-31'));
+                const line = parseFloat(getComputedStyle(fields).fontSize) * 2;
+                return [...fields.children].every((it) => it.clientHeight < line);
+                """))
+        .isEqualTo(true);
+  }
+
+  @Test
   void axesThatAreNoNumbersAreNoPose(Browser browser) throws Exception {
     open(browser, ServerType.KUKAVARPROXY, "robot");
     browser.await("document.querySelector('.axes .reading')?.textContent !== '–'");

@@ -103,6 +103,30 @@ class JogBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  /** Returns an expression for whether no element of a selector hides a part of its text. */
+  private static String isWhole(String selector) {
+    return "[...document.querySelectorAll('"
+        + selector
+        + "')].every((it) => it.scrollWidth <= it.clientWidth && it.scrollHeight <= it.clientHeight)";
+  }
+
+  @Test
+  void aSmallPhoneShowsTheWholeRefusalAndTheNamesOfThePrograms(Browser browser) throws Exception {
+    open(browser, Browser.Size.SMALL_PHONE);
+    browser.await(
+        "document.querySelectorAll('.item.program').length === 2"
+            + " && document.querySelector('.items').textContent.includes('ACTUATOR · running')");
+
+    browser.click(".jog .choice button"); // the axes, for which another program must run
+
+    browser.await("document.querySelector('.jog .status').textContent.includes('EXT_MOVE_AXIS')");
+    browser.picture("jog-refused");
+    assertThat(browser.run("return " + isWhole(".jog .status"))).isEqualTo(true);
+    assertThat(browser.run("return " + isWhole(".item.program .value :first-child")))
+        .isEqualTo(true);
+    assertThat(browser.overflow()).isNotPositive();
+  }
+
   @Test
   void aPageThatIsCutOffStopsTheRobotAndSaysSo(Browser browser) {
     open(browser, Browser.Size.PHONE);

@@ -180,7 +180,7 @@ public final class RobotSinkTask extends SinkTask {
     }
   }
 
-  /** Gives up the claim: if it stayed, it would look like that of a task that has ended. */
+  /** Ends the claim: if it stayed, it would look like that of a task that has ended. */
   private void release() {
     writing = false;
     claims().release();

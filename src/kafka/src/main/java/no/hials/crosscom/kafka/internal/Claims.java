@@ -214,8 +214,8 @@ public final class Claims implements AutoCloseable {
   }
 
   /**
-   * Gives up the claim of the records that are not settled, none of which was tried. The partition
-   * that came first is the last one of the next claim.
+   * Ends the claim of the records that are not settled, none of which was tried. The partition that
+   * came first is the last one of the next claim.
    */
   public void release() {
     number++;

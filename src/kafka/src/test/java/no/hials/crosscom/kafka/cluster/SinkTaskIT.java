@@ -48,7 +48,7 @@ class SinkTaskIT {
   /** The end of the records that tasks have got. */
   private long position;
 
-  /** What a task asks of Connect. */
+  /** The requests of a task to Connect. */
   private static final class Connect implements SinkTaskContext {
     private final Set<TopicPartition> paused = new HashSet<>();
     private final List<String> deadLetters = new ArrayList<>();

@@ -85,7 +85,7 @@ class ClaimsTest {
     return offsets(claims, position).get(ONE);
   }
 
-  /** What a task does with the records of partition one. */
+  /** Returns how a task treats the records of partition one. */
   private static List<String> fates(Claims of, long from, long end) {
     return LongStream.range(from, end)
         .mapToObj(

@@ -124,6 +124,15 @@ class GatewayTest {
     }
   }
 
+  private void awaitFailure() throws InterruptedException {
+    while (!events.contains("failed")) {
+      if (Thread.interrupted()) {
+        throw new InterruptedException("the output was not called");
+      }
+      Thread.onSpinWait();
+    }
+  }
+
   private RobotFeed robot(String name) {
     return gateway.robots().stream().filter(it -> it.name().equals(name)).findAny().orElseThrow();
   }
@@ -172,9 +181,7 @@ class GatewayTest {
   @Test
   void anOutputThatFailsDoesNotEndTheReadings() throws Exception {
     start(config("\"$OV_PRO\"", "fails", first));
-    while (!events.contains("failed")) {
-      Thread.onSpinWait();
-    }
+    awaitFailure();
 
     gateway.apply(config("\"$OV_PRO\"", "a", first));
 
@@ -185,15 +192,11 @@ class GatewayTest {
   void anErrorOfAnOutputDoesNotStopTheChecksOfAges() throws Exception {
     CountDownLatch released = new CountDownLatch(1);
     start(config("\"$OV_PRO\"", "has no memory", first));
-    while (!events.contains("failed")) {
-      Thread.onSpinWait();
-    }
+    awaitFailure();
     events.clear();
     first.fault(request -> true, Fault.hold(released));
     // the timer passes on that the value is stale, and fails
-    while (!events.contains("failed")) {
-      Thread.onSpinWait();
-    }
+    awaitFailure();
     released.countDown();
     first.clearFaults();
     gateway.apply(config("\"$OV_PRO\"", "a", first));

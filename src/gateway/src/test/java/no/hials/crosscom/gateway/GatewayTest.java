@@ -119,7 +119,7 @@ class GatewayTest {
 
   private void await(String variable) throws InterruptedException {
     Update update = updates.take();
-    while (!update.variable().name().equals(variable) || update.value() == null) {
+    while (!update.variable().name().equals(variable) || update.quality() != Quality.GOOD) {
       update = updates.take();
     }
   }

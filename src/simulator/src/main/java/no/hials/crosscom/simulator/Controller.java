@@ -368,6 +368,19 @@ public final class Controller implements AutoCloseable {
   }
 
   /**
+   * Presses a key of a dialogue, unless another one is shown by now. Two dialogues are different
+   * even if they have the same text.
+   *
+   * @param dialogue the dialogue, as {@link #dialogue} returned it
+   * @param key the number of the key in {@link Message#keys}, from 1
+   * @throws IllegalStateException if another dialogue or none is shown
+   * @throws IllegalArgumentException if it has no such key
+   */
+  public void answer(Message dialogue, int key) {
+    core.answer(dialogue, key);
+  }
+
+  /**
    * Confirms all messages.
    *
    * @return the number of confirmed messages

@@ -12,8 +12,11 @@ import java.util.List;
  * @param time the simulated time of the message since the start
  * @param keys the labels of the keys of a dialogue, see {@link Controller#answer}; empty for a key
  *     without a label, and for all other messages
+ * @param handle the handle by which programs know it, different for each message of a program; 0
+ *     for a message of the controller itself
  */
-public record Message(Kind kind, int number, String text, Duration time, List<String> keys) {
+public record Message(
+    Kind kind, int number, String text, Duration time, List<String> keys, int handle) {
 
   /** Copies the list. */
   public Message {

@@ -517,6 +517,26 @@ class KssRoutinesTest {
   }
 
   @Test
+  void answersTheDialogueThatIsMeantAndNoLaterOneWithTheSameText() {
+    load("MsgDialog(I1,\"go on?\",,,\"yes\",\"no\")\nMsgDialog(I2,\"go on?\",,,\"yes\",\"no\")")
+        .start();
+    controller.step(Duration.ofMillis(100));
+    Message first = controller.dialogue().orElseThrow();
+    controller.answer(first, 1);
+    controller.step(Duration.ofMillis(100));
+    Message second = controller.dialogue().orElseThrow();
+
+    assertThat(second.text()).isEqualTo(first.text());
+    assertThatThrownBy(() -> controller.answer(first, 1))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessage("answer: this dialogue is no longer shown");
+    assertThat(controller.dialogue()).contains(second);
+    controller.answer(second, 2);
+    controller.step(Duration.ofMillis(100));
+    assertThat(get("I2")).isEqualTo("6");
+  }
+
+  @Test
   void clearsStateMessagesOfAProgramThatIsReset() {
     load("""
     MsgState(I1,"loading")

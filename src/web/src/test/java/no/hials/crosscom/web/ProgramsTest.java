@@ -4,6 +4,7 @@ import static java.nio.charset.StandardCharsets.ISO_8859_1;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -174,7 +175,7 @@ class ProgramsTest {
     assertThat(change("program-select", "name", "'/R1/WORK.SRC'")).endsWith("the robot is locked");
     assertThat(upload("new.src", PROGRAM, "false")).endsWith("the robot is locked");
     assertThat(change("confirm")).endsWith("the robot is locked");
-    assertThat(change("answer", "question", "'?'", "key", "1")).endsWith("the robot is locked");
+    assertThat(change("answer", "dialogue", "1", "key", "1")).endsWith("the robot is locked");
     assertThat(variable("$PRO_STATE1")).isEqualTo("#P_RESET");
     assertThat(String.valueOf(lastAudit())).contains("answer", "the robot is locked");
   }
@@ -578,29 +579,41 @@ class ProgramsTest {
         DEF ASK ( )
         DECL INT A
         MsgDialog(A,"which <b>part</b>?","Cell",,"left","right")
+        MsgDialog(A,"which <b>part</b>?","Cell",,"left","right")
         MsgNotify("done")
         END
         """);
     pages.controller().controller().setMode(OperatingMode.AUT);
     pages.controller().controller().robot().select("ASK");
     pages.controller().controller().start();
-    JsonNode messages = socket.call("messages", "robot", "'mock'").path("ok");
-    while (messages.path("dialogue").isMissingNode()) {
-      messages = socket.call("messages", "robot", "'mock'").path("ok");
-    }
-    assertThat(messages.path("dialogue").path("text").asText())
-        .isEqualTo("Cell: which <b>part</b>?");
-    assertThat(messages.path("dialogue").path("keys").toString()).isEqualTo("[\"left\",\"right\"]");
+    JsonNode first = awaitDialogueAfter("0");
+    assertThat(first.path("text").asText()).isEqualTo("Cell: which <b>part</b>?");
+    assertThat(first.path("keys").toString()).isEqualTo("[\"left\",\"right\"]");
+    String handle = first.path("handle").asText();
 
-    assertThat(change("answer", "question", "'another?'", "key", "1"))
+    assertThat(change("answer", "dialogue", "1000", "key", "1"))
         .isEqualTo("this dialogue is no longer shown");
-    assertThat(change("answer", "question", "'Cell: which <b>part</b>?'", "key", "5"))
-        .contains("was given number 5");
-    assertThat(change("answer", "question", "'Cell: which <b>part</b>?'", "key", "2")).isEmpty();
+    assertThat(change("answer", "dialogue", handle, "key", "5")).contains("was given number 5");
+    assertThat(change("answer", "dialogue", handle, "key", "2")).isEmpty();
+    JsonNode second = awaitDialogueAfter(handle);
+    assertThat(change("answer", "dialogue", handle, "key", "1"))
+        .isEqualTo("this dialogue is no longer shown");
+    assertThat(awaitDialogueAfter(handle)).isEqualTo(second);
+    assertThat(change("answer", "dialogue", second.path("handle").asText(), "key", "2")).isEmpty();
 
     awaitState("#P_END");
     assertThat(pages.controller().controller().messages())
         .extracting(Message::text)
         .contains("done");
+    assertThat(socket.call("audit").path("ok").path("lines").toString())
+        .contains("2 right", "a dialogue");
+  }
+
+  private JsonNode awaitDialogueAfter(String handle) throws InterruptedException {
+    JsonNode dialogue = MissingNode.getInstance();
+    while (dialogue.isMissingNode() || dialogue.path("handle").asText().equals(handle)) {
+      dialogue = socket.call("messages", "robot", "'mock'").path("ok").path("dialogue");
+    }
+    return dialogue;
   }
 }

@@ -199,7 +199,7 @@ final class KrlRun extends ConsoleCommand {
       while (keys.get(key - 1).isEmpty()) {
         key++;
       }
-      controller.answer(key);
+      controller.answer(dialogue.get(), key);
       console().hint("answered: " + key + " " + keys.get(key - 1));
     }
     // an error has stopped the program, and stays

@@ -339,6 +339,10 @@ public final class ControllerCore {
     change(() -> panel.answer(key));
   }
 
+  public void answer(Message dialogue, int key) {
+    change(() -> panel.answer(dialogue, key));
+  }
+
   public int confirmAll() {
     return locked(
         () -> {

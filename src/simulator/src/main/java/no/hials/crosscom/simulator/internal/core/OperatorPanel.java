@@ -101,11 +101,11 @@ final class OperatorPanel {
   }
 
   void show(Message.Kind kind, int number, String text) {
-    show(kind, number, text, List.of());
+    show(kind, number, text, List.of(), 0);
     unconfirmed += kind == Message.Kind.ACKNOWLEDGEMENT ? 1 : 0;
   }
 
-  private void show(ProgramMessage message) {
+  private void show(ProgramMessage message, int handle) {
     Message.Kind kind =
         switch (message.type()) {
           case NOTIFY -> Message.Kind.NOTIFICATION;
@@ -113,14 +113,15 @@ final class OperatorPanel {
           case QUIT -> Message.Kind.ACKNOWLEDGEMENT;
           case DIALOGUE -> Message.Kind.DIALOGUE;
         };
-    show(kind, message.number(), message.fullText(), message.keys());
+    show(kind, message.number(), message.fullText(), message.keys(), handle);
   }
 
-  private void show(Message.Kind kind, int number, String text, List<String> keys) {
+  private void show(Message.Kind kind, int number, String text, List<String> keys, int handle) {
     if (messages.size() == KEPT_MESSAGES) {
       messages.removeFirst();
     }
-    messages.addLast(new Message(kind, number, text, Duration.ofMillis(time.getAsLong()), keys));
+    messages.addLast(
+        new Message(kind, number, text, Duration.ofMillis(time.getAsLong()), keys, handle));
   }
 
   /** Returns the messages of programs. */
@@ -133,12 +134,19 @@ final class OperatorPanel {
     return programs
         .dialogue()
         .flatMap(
-            shown ->
-                messages.stream()
-                    .filter(it -> it.kind() == Message.Kind.DIALOGUE)
-                    .filter(it -> it.text().equals(shown.fullText()))
-                    .filter(it -> it.keys().equals(shown.keys()))
-                    .reduce((earlier, later) -> later));
+            shown -> messages.stream().filter(it -> it.handle() == shown.getKey()).findFirst());
+  }
+
+  /**
+   * Presses a key of a dialogue, if it is the oldest.
+   *
+   * @param key its number, from 1
+   */
+  void answer(Message dialogue, int key) {
+    if (programs.dialogue().filter(it -> it.getKey() == dialogue.handle()).isEmpty()) {
+      throw new IllegalStateException("answer: this dialogue is no longer shown");
+    }
+    answer(key);
   }
 
   /**
@@ -147,14 +155,16 @@ final class OperatorPanel {
    * @param key its number, from 1
    */
   void answer(int key) {
-    List<String> keys =
+    Map.Entry<Integer, ProgramMessage> shown =
         programs
             .dialogue()
-            .orElseThrow(() -> new IllegalStateException("answer: no dialogue is shown"))
-            .keys();
-    if (!programs.answer(key)) {
+            .orElseThrow(() -> new IllegalStateException("answer: no dialogue is shown"));
+    if (!programs.answer(shown.getKey(), key)) {
       throw new IllegalArgumentException(
-          "answer: the dialogue has the keys " + keys + ", was given number " + key);
+          "answer: the dialogue has the keys "
+              + shown.getValue().keys()
+              + ", was given number "
+              + key);
     }
   }
 
@@ -162,7 +172,7 @@ final class OperatorPanel {
   void state(boolean present, int number, String text) {
     if (present) {
       Duration now = Duration.ofMillis(time.getAsLong());
-      states.put(number, new Message(Message.Kind.STATUS, number, text, now, List.of()));
+      states.put(number, new Message(Message.Kind.STATUS, number, text, now, List.of(), 0));
     } else {
       states.remove(number);
     }

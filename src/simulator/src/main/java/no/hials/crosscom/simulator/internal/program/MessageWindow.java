@@ -1,12 +1,10 @@
 package no.hials.crosscom.simulator.internal.program;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
+import java.util.function.ObjIntConsumer;
 import no.hials.crosscom.protocol.code.Interpreter;
 
 /**
@@ -21,7 +19,7 @@ public final class MessageWindow {
 
   private record Answer(Interpreter owner, int key) {}
 
-  private final Consumer<ProgramMessage> shownListener;
+  private final ObjIntConsumer<ProgramMessage> shownListener;
   private final Map<Integer, Shown> open = new LinkedHashMap<>();
 
   /** The answers that no program has read yet, by handle. */
@@ -33,9 +31,9 @@ public final class MessageWindow {
   private int loop;
 
   /**
-   * @param shownListener called for each new message
+   * @param shownListener called for each new message, with its handle
    */
-  public MessageWindow(Consumer<ProgramMessage> shownListener) {
+  public MessageWindow(ObjIntConsumer<ProgramMessage> shownListener) {
     this.shownListener = shownListener;
   }
 
@@ -49,7 +47,7 @@ public final class MessageWindow {
     if (stays) {
       open.put(last, new Shown(owner, message));
     }
-    shownListener.accept(message);
+    shownListener.accept(message, last);
     return last;
   }
 
@@ -76,7 +74,7 @@ public final class MessageWindow {
   }
 
   /** Answers a dialogue; returns false if it is not shown or has no such key. */
-  boolean answer(int handle, int key) {
+  public boolean answer(int handle, int key) {
     Shown shown = open.get(handle);
     if (shown == null
         || key < 1
@@ -134,25 +132,10 @@ public final class MessageWindow {
             .count();
   }
 
-  /** Returns the oldest dialogue that is shown. */
-  public Optional<ProgramMessage> dialogue() {
-    return dialogues().stream().findFirst().map(open::get).map(Shown::message);
-  }
-
-  private List<Integer> dialogues() {
-    List<Integer> handles = new ArrayList<>();
-    open.forEach(
-        (handle, shown) -> {
-          if (shown.message().type() == ProgramMessage.Type.DIALOGUE) {
-            handles.add(handle);
-          }
-        });
-    return handles;
-  }
-
-  /** Answers the oldest dialogue; returns false without one, or if it has no such key. */
-  public boolean answer(int key) {
-    List<Integer> handles = dialogues();
-    return !handles.isEmpty() && answer(handles.get(0), key);
+  /** Returns the handle and the message of the oldest dialogue that is shown. */
+  public Optional<Map.Entry<Integer, ProgramMessage>> dialogue() {
+    return shown().entrySet().stream()
+        .filter(entry -> entry.getValue().type() == ProgramMessage.Type.DIALOGUE)
+        .findFirst();
   }
 }

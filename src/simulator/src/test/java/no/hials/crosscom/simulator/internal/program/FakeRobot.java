@@ -33,7 +33,7 @@ final class FakeRobot implements ProgramEnvironment {
 
   final List<MotionOrder> orders = new ArrayList<>();
   private final MessageWindow messages =
-      new MessageWindow(message -> log.add(message.type() + " " + message.fullText()));
+      new MessageWindow((message, handle) -> log.add(message.type() + " " + message.fullText()));
 
   /** The numbers that $ERR got. */
   final List<Integer> errors = new ArrayList<>();

@@ -7,7 +7,7 @@ import no.hials.crosscom.protocol.code.Interpreter;
 import org.junit.jupiter.api.Test;
 
 class MessageWindowTest {
-  private final MessageWindow window = new MessageWindow(message -> {});
+  private final MessageWindow window = new MessageWindow((message, handle) -> {});
 
   private int answeredDialogue(Interpreter owner) {
     int handle =
@@ -21,7 +21,7 @@ class MessageWindowTest {
                 List.of("no", "yes"),
                 true,
                 true));
-    assertThat(window.answer(2)).isTrue();
+    assertThat(window.answer(window.dialogue().orElseThrow().getKey(), 2)).isTrue();
     return handle;
   }
 

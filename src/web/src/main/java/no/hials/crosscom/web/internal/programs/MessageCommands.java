@@ -61,6 +61,7 @@ public final class MessageCommands {
     json.put("number", message.number());
     json.put("text", message.text());
     json.put("seconds", message.time().toMillis() / 1000.0);
+    json.put("handle", message.handle());
     message.keys().forEach(json.putArray("keys")::add);
   }
 
@@ -93,29 +94,31 @@ public final class MessageCommands {
 
   private void answer(Call call) throws IOException {
     RobotSession robot = robots.of(call);
-    String question = call.text("question");
+    int handle = (int) call.number("dialogue", 1, Integer.MAX_VALUE);
     int key = (int) call.number("key", 1, MAX_KEYS);
+    Optional<Controller> simulated = robot.simulation().map(MockServer::controller);
+    Optional<Message> dialogue =
+        simulated.flatMap(Controller::dialogue).filter(it -> it.handle() == handle);
     changes.make(
         call,
         robot,
         "answer",
-        question,
-        Integer.toString(key),
+        dialogue.map(Message::text).orElse("a dialogue"),
+        dialogue.map(it -> label(it, key)).orElse(Integer.toString(key)),
         () -> {
           robot.lock().check(call, "answer the dialogue");
-          Controller controller =
-              robot
-                  .simulation()
-                  .orElseThrow(
-                      () ->
-                          new CommandException(
-                              "no server takes answers to dialogues: answer on the pendant"))
-                  .controller();
-          // the program may show another dialogue by now
-          if (controller.dialogue().filter(it -> it.text().equals(question)).isEmpty()) {
+          if (simulated.isEmpty()) {
+            throw new CommandException(
+                "no server takes answers to dialogues: answer on the pendant");
+          }
+          if (dialogue.isEmpty()) { // answered meanwhile
             throw new CommandException("this dialogue is no longer shown");
           }
-          controller.answer(key);
+          simulated.get().answer(dialogue.get(), key);
         });
+  }
+
+  private static String label(Message dialogue, int key) {
+    return key <= dialogue.keys().size() ? key + " " + dialogue.keys().get(key - 1) : "" + key;
   }
 }

@@ -59,8 +59,7 @@ function Question({ dialogue, onAsk }) {
       ],
       warning: 'The program goes on with this answer.',
       work: async () => {
-        const fields = { robot, question: dialogue.text, key, confirmed: true };
-        await call('answer', fields);
+        await call('answer', { robot, dialogue: dialogue.handle, key, confirmed: true });
         return `answered: ${label}`;
       },
     });

@@ -8,12 +8,18 @@ import { note } from './state.js';
 /** Shows its children in a dialog while it is rendered. */
 export function Dialog({ title, onClose, children }) {
   const element = useRef(null);
+  const gone = useRef(false);
   useEffect(() => {
-    element.current.showModal();
+    const dialog = element.current;
+    dialog.showModal();
+    return () => {
+      gone.current = true;
+      dialog.close(); // the focus goes back to where it was
+    };
   }, []);
   return h(
     'dialog',
-    { ref: element, 'aria-label': title, onClose },
+    { ref: element, 'aria-label': title, onClose: () => gone.current || onClose() },
     h('h2', null, title),
     children,
   );

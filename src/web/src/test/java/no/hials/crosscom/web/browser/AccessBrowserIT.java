@@ -272,9 +272,11 @@ class AccessBrowserIT {
     browser.await("document.activeElement.value === '100'");
     browser.press(Keys.BACK_SPACE, Keys.BACK_SPACE, Keys.BACK_SPACE, "30", Keys.ENTER);
     browser.await("document.querySelector('dialog .new')?.textContent === '30'");
-    browser.press(Keys.ESCAPE);
+    browser.await("document.activeElement.textContent === 'Cancel'");
+    browser.press(Keys.ENTER);
     browser.await("!document.querySelector('dialog')");
 
+    assertThat(browser.run("return document.activeElement.ariaLabel")).isEqualTo("Change $OV_PRO");
     assertThat(pages.controller().variables().get("$OV_PRO")).isEqualTo("100");
     assertThat(browser.errors()).isEmpty();
   }

@@ -1,7 +1,7 @@
 // The dialog that changes a variable: type and range, the new value, and a confirmation.
 
 import { h } from 'preact';
-import { useEffect, useState } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { Dialog, useChange } from '../dialog.js';
 import { call } from '../socket.js';
 import { header, note, useRobot } from '../state.js';
@@ -34,6 +34,9 @@ export function Edit({ name, onClose }) {
   const [asked, setAsked] = useState(false);
   const [unread, setUnread] = useState('');
   const { busy, error, close, make } = useChange(onClose);
+  const cancel = useRef(null);
+  const field = useRef(null);
+  useEffect(() => (asked ? cancel : field).current.focus(), [asked]);
   const read = () =>
     call('read', { robot, name })
       .then(({ text }) => {
@@ -100,9 +103,9 @@ export function Edit({ name, onClose }) {
               { key: 'value' },
               'New value, as KRL',
               h('input', {
+                ref: field,
                 value,
                 list: 'constants',
-                autofocus: true,
                 spellcheck: false,
                 autocomplete: 'off',
                 onInput: (event) => setValue(event.target.value),
@@ -120,7 +123,7 @@ export function Edit({ name, onClose }) {
       h(
         'div',
         { class: 'buttons' },
-        h('button', { type: 'button', class: 'quiet', onClick: close }, 'Cancel'),
+        h('button', { ref: cancel, type: 'button', class: 'quiet', onClick: close }, 'Cancel'),
         // a separate button, so that a double click on Continue does not write
         h(
           'button',

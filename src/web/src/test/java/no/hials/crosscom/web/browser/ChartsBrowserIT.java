@@ -82,6 +82,10 @@ class ChartsBrowserIT {
     // a pause freezes the picture
     click(browser, "Pause");
     override(60);
+    click(browser, "+");
+    browser.await(button("Reset") + ".disabled === false");
+    click(browser, "Reset"); // ends the zoom, not the pause
+    browser.await(button("Reset") + ".disabled");
     click(browser, "Resume");
     browser.await(lines("value 60 %"));
 

@@ -119,6 +119,10 @@ function pathsOf(leaves) {
 /** The state of the drawing outside the components: source, window, cursor and panels. */
 class Picture {
   frozen = null;
+
+  /** Whether the live chart stands only because of the zoom, and not because of a pause. */
+  frozenByZoom = false;
+
   zoomed = null;
   cursor = null;
   panels = new Set();
@@ -158,6 +162,7 @@ class Picture {
 
   freeze(value) {
     this.frozen = value ? this.tracks.copy() : null;
+    this.frozenByZoom = false;
     if (!value) {
       this.zoomed = null;
     }
@@ -171,6 +176,7 @@ class Picture {
     }
     if (!this.player && !this.frozen) {
       this.frozen = this.tracks.copy();
+      this.frozenByZoom = true;
     }
     this.zoomed = [from, to];
     this.draw();
@@ -184,12 +190,12 @@ class Picture {
   }
 
   reset() {
-    if (this.player) {
+    if (this.frozenByZoom) {
+      this.freeze(false);
+    } else {
       this.zoomed = null;
       this.draw();
       this.changed();
-    } else {
-      this.freeze(false);
     }
   }
 
@@ -254,6 +260,7 @@ function usePicture({ names, period, span }) {
   useEffect(() => () => clearTimeout(timer.current), []);
   useEffect(() => {
     own.frozen = null;
+    own.frozenByZoom = false;
     own.zoomed = null;
     own.cursor = null;
     own.draw();

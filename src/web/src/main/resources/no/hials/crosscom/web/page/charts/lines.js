@@ -93,7 +93,7 @@ export function Lines({ picture, names, leaves: all, units, panels, first, filte
               '×',
             ),
         ),
-        leaves.length === 0 && h('p', { class: 'hint' }, picture.source.error?.(name) ?? 'No number yet.'),
+        leaves.length === 0 && h('p', { class: 'hint' }, picture.source.error?.(name) ?? 'No number.'),
         leaves.filter((leaf) => !others.includes(leaf)).map(row),
         others.length > 0 &&
           h(

@@ -80,6 +80,11 @@ class AccessTest {
 
     assertThat(replay.statusCode()).isEqualTo(403);
     assertThat(replay.headers().firstValue("set-cookie")).isEmpty();
+    assertThat(replay.body()).contains("This browser has no session.");
+    assertThat(pages.get(link, "Cookie", pages.login(Role.VIEW)).body())
+        .startsWith(
+            "This link is not valid, is too old, or was used before. This browser is already")
+        .contains("let in");
   }
 
   @ParameterizedTest

@@ -27,6 +27,8 @@ public final class PageHandler extends Handler.Abstract {
   private static final String NO_SESSION =
       "This browser has no session. Open the link that 'jopenshowvar web' has printed, or ask"
           + " somebody with an open page for a link; each link works once.";
+  private static final String HAS_SESSION =
+      "This browser is already let in: open the address without '?token=...'.";
 
   /**
    * The answer to a link. A redirect would not work: after a link on another site, such as a web
@@ -117,7 +119,9 @@ public final class PageHandler extends Handler.Abstract {
   private boolean open(Request request, Response response, Callback callback, String token) {
     Optional<String> key = tokens.open(token);
     if (key.isEmpty()) {
-      String reason = "This link is not valid, is too old, or was used before. " + NO_SESSION;
+      String reason =
+          "This link is not valid, is too old, or was used before. "
+              + (session(request).isEmpty() ? NO_SESSION : HAS_SESSION);
       return refuse(response, callback, HttpStatus.FORBIDDEN_403, reason);
     }
     HttpCookie cookie =

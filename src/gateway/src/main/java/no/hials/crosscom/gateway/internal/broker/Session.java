@@ -226,8 +226,12 @@ public final class Session implements AutoCloseable {
   }
 
   private void run() {
-    if (!store().isEmpty()) {
-      LOG.info("MQTT {}: {} messages of an earlier run are stored", name, store().size());
+    try {
+      if (!store().isEmpty()) {
+        LOG.info("MQTT {}: {} messages of an earlier run are stored", name, store().size());
+      }
+    } catch (RuntimeException | Error e) {
+      failed(e);
     }
     long endBy = 0;
     while (endBy == 0 || System.nanoTime() - endBy < 0) {
@@ -336,6 +340,7 @@ public final class Session implements AutoCloseable {
   }
 
   private void connect() {
+    keep(); // what an error left behind
     Link[] self = new Link[1];
     try {
       Link next =
@@ -368,7 +373,7 @@ public final class Session implements AutoCloseable {
           over.subscribe(one.filter(), one.qos(), one.receiver())
               .handle(
                   (result, failure) -> {
-                    if (failure != null) {
+                    if (failure != null && !closing) {
                       LOG.error(
                           "MQTT {}: the broker refuses to subscribe {}: {}",
                           name,
@@ -448,12 +453,11 @@ public final class Session implements AutoCloseable {
   /** Stores what the broker has not confirmed, and forwards the rest of the store later. */
   private void keep() {
     store().rewind();
-    for (Outgoing one : inFlight) {
+    for (Outgoing one = inFlight.poll(); one != null; one = inFlight.poll()) {
       if (!one.done && one.spare != null) {
         store().add(one.spare.get());
       }
     }
-    inFlight.clear();
     forwarding = false;
   }
 

@@ -29,8 +29,8 @@ export function Dialog({ title, onClose, children }) {
  * Lets a dialog make a change. It is withdrawn if the dialog disappears before the answer, also
  * because the person goes to another view; a failure is then a note on the page.
  *
- * @returns busy, error (a text), close, and make: calls a function that sends something, and
- *     returns whether that succeeded and the dialog is still there
+ * @returns busy, error (a text), close, and make: calls a function that sends something, unless it
+ *     is busy, and returns whether that succeeded and the dialog is still there
  */
 export function useChange(onClose) {
   const [busy, setBusy] = useState(false);
@@ -48,6 +48,9 @@ export function useChange(onClose) {
     onClose();
   };
   const make = async (work) => {
+    if (now.busy) {
+      return false;
+    }
     now.busy = true;
     setBusy(true);
     setError('');

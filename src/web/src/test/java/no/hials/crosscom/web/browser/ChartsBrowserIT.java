@@ -9,11 +9,13 @@ import java.nio.file.Path;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import no.hials.crosscom.cell.recording.RecordedData;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -116,6 +118,25 @@ class ChartsBrowserIT {
       assertThat(browser.smallTargets()).isEmpty();
     }
     browser.picture("charts-replay-" + size);
+  }
+
+  @Test
+  void aSecondEnterDoesNotStartASecondRecording(Browser browser) throws IOException {
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=charts#/charts"));
+    click(browser, "● Record …");
+    browser.await("document.querySelector('.record-form')");
+
+    browser.run(
+        "const form = document.querySelector('.record-form');"
+            + "form.requestSubmit(); form.requestSubmit();");
+    browser.await("document.querySelector('.recordings .running')");
+    click(browser, "Stop");
+    browser.await(button("Open"));
+
+    try (Stream<Path> files = Files.list(folder.resolve("recordings"))) {
+      assertThat(files).hasSize(1);
+    }
   }
 
   @ParameterizedTest

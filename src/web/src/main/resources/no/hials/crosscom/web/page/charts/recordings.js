@@ -2,7 +2,7 @@
 
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { Dialog } from '../dialog.js';
+import { Dialog, useChange } from '../dialog.js';
 import { closeReplay, openReplay } from '../replay.js';
 import { call, onEvent } from '../socket.js';
 import { mayOperate, note, state, useSharedState } from '../state.js';
@@ -51,21 +51,19 @@ function Start({ names, period, onClose }) {
   const [name, setName] = useState('');
   const [format, setFormat] = useState('csv');
   const [withPose, setWithPose] = useState(true);
-  const [error, setError] = useState('');
+  const { busy, error, close, make } = useChange(onClose);
   const all = [...new Set([...names, ...(withPose ? POSE : [])])];
   const submit = async (event) => {
     event.preventDefault();
-    try {
-      const fields = { robot: state.robot, names: all, period, format };
-      await call('record-start', name.trim() ? { ...fields, name: name.trim() } : fields);
+    const fields = { robot: state.robot, names: all, period, format };
+    const named = name.trim() ? { ...fields, name: name.trim() } : fields;
+    if (await make(() => call('record-start', named))) {
       onClose();
-    } catch (e) {
-      setError(e.message);
     }
   };
   return h(
     Dialog,
-    { title: `Record ${state.robot}`, onClose },
+    { title: `Record ${state.robot}`, onClose: close },
     h(
       'form',
       { class: 'record-form', onSubmit: submit },
@@ -106,8 +104,8 @@ function Start({ names, period, onClose }) {
       h(
         'div',
         { class: 'buttons' },
-        h('button', { type: 'button', class: 'quiet', onClick: onClose }, 'Cancel'),
-        h('button', { class: 'main', disabled: all.length === 0 }, 'Record'),
+        h('button', { type: 'button', class: 'quiet', onClick: close }, 'Cancel'),
+        h('button', { class: 'main', 'aria-disabled': busy, disabled: all.length === 0 }, 'Record'),
       ),
     ),
   );

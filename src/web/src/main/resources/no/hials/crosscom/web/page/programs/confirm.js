@@ -37,7 +37,7 @@ export function Confirm({ asked, onClose }) {
         'div',
         { class: 'buttons' },
         h('button', { type: 'button', class: 'quiet', autofocus: true, onClick: close }, 'Cancel'),
-        h('button', { class: 'main', disabled: busy || !mayWrite() }, asked.action),
+        h('button', { class: 'main', 'aria-disabled': busy, disabled: !mayWrite() }, asked.action),
       ),
     ),
   );

@@ -130,7 +130,8 @@ export function Edit({ name, onClose }) {
           {
             key: asked ? 'write' : 'continue',
             class: 'main',
-            disabled: busy || before === null || value.trim() === '',
+            'aria-disabled': busy, // a disabled button would lose the focus
+            disabled: before === null || value.trim() === '',
           },
           asked ? 'Write' : 'Continue',
         ),

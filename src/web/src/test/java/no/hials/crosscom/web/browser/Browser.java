@@ -10,6 +10,7 @@ import java.net.URI;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.logging.Level;
@@ -34,6 +35,7 @@ public final class Browser implements AutoCloseable {
   private static final int SECONDS = 10;
 
   private final ChromeDriver driver;
+  private final List<Map<String, Object>> fingers = new ArrayList<>();
 
   /** A size of the window, in CSS pixels. */
   public enum Size {
@@ -153,7 +155,7 @@ public final class Browser implements AutoCloseable {
     new Actions(driver).sendKeys(keys).perform();
   }
 
-  /** Puts a finger on the middle of the first element that a CSS selector matches. */
+  /** Puts another finger on the middle of the first element that a CSS selector matches. */
   public void touch(String selector) {
     find(selector);
     @SuppressWarnings("unchecked")
@@ -167,12 +169,14 @@ public final class Browser implements AutoCloseable {
                 return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
                 """,
                 selector);
+    fingers.add(Map.of("x", middle.get("x"), "y", middle.get("y"), "id", fingers.size()));
     driver.executeCdpCommand(
-        "Input.dispatchTouchEvent", Map.of("type", "touchStart", "touchPoints", List.of(middle)));
+        "Input.dispatchTouchEvent", Map.of("type", "touchStart", "touchPoints", fingers));
   }
 
-  /** Lifts the finger. */
+  /** Lifts all fingers. */
   public void lift() {
+    fingers.clear();
     driver.executeCdpCommand(
         "Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
   }

@@ -103,6 +103,32 @@ class JogBrowserIT {
     assertThat(browser.errors()).isEmpty();
   }
 
+  @Test
+  void aSecondFingerAddsADirection(Browser browser) {
+    open(browser, Browser.Size.SMALL_PHONE);
+    holdUntilItMoves(browser);
+
+    browser.touch("[aria-label='Hold to move Y plus']");
+
+    browser.await("document.querySelectorAll('.hold.moving').length === 2");
+    browser.lift();
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+  }
+
+  @Test
+  void fingersOnBothButtonsOfADirectionEndIt(Browser browser) {
+    open(browser, Browser.Size.SMALL_PHONE);
+    holdUntilItMoves(browser);
+
+    browser.touch("[aria-label='Hold to move X minus']");
+
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    browser.lift();
+  }
+
   /** Returns an expression for whether no element of a selector hides a part of its text. */
   private static String isWhole(String selector) {
     return "[...document.querySelectorAll('"

@@ -11,6 +11,9 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
   const own = held().find(isOurs);
   const begin = (source) => press(source, { direction, positive, percent, step });
   const end = () => held().some(isOurs) && release(direction);
+  // a second finger on another button takes the focus, and the first one still holds
+  const blur = (event) =>
+    (own?.source === 'key' || !event.relatedTarget?.matches('.hold')) && end();
   useEffect(() => end, []);
   useEffect(() => {
     if (disabled) {
@@ -53,7 +56,7 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
       onLostPointerCapture: end,
       onKeyDown: keyDown,
       onKeyUp: keyUp,
-      onBlur: end,
+      onBlur: blur,
       onContextMenu: (event) => event.preventDefault(),
     },
     positive ? '+' : '−',

@@ -3,7 +3,7 @@
 
 import { h } from 'preact';
 import { useEffect, useState } from 'preact/hooks';
-import { Dialog } from '../dialog.js';
+import { Dialog, useChange } from '../dialog.js';
 import { call, onEvent } from '../socket.js';
 import { mayOperate, note, state, useSharedState } from '../state.js';
 
@@ -69,21 +69,19 @@ function download(name, text) {
 
 function Save({ list, saved, onSaved, onClose }) {
   const [name, setName] = useState(list.name);
-  const [error, setError] = useState('');
+  const { busy, error, close, make } = useChange(onClose);
   const replaced = saved.find((one) => one.name.toLowerCase() === name.trim().toLowerCase());
   const submit = async (event) => {
     event.preventDefault();
-    try {
-      await call('list-save', { name: name.trim(), period: list.period, names: list.names });
+    const fields = { name: name.trim(), period: list.period, names: list.names };
+    if (await make(() => call('list-save', fields))) {
       onSaved(replaced?.name ?? name.trim());
       onClose();
-    } catch (e) {
-      setError(e.message);
     }
   };
   return h(
     Dialog,
-    { title: 'Save the list for all browsers', onClose },
+    { title: 'Save the list for all browsers', onClose: close },
     h(
       'form',
       { onSubmit: submit },
@@ -98,8 +96,8 @@ function Save({ list, saved, onSaved, onClose }) {
       h(
         'div',
         { class: 'buttons' },
-        h('button', { type: 'button', class: 'quiet', onClick: onClose }, 'Cancel'),
-        h('button', { class: 'main', disabled: name.trim() === '' }, 'Save'),
+        h('button', { type: 'button', class: 'quiet', onClick: close }, 'Cancel'),
+        h('button', { class: 'main', 'aria-disabled': busy, disabled: name.trim() === '' }, 'Save'),
       ),
     ),
   );

@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 
 /** One connection to a broker, which does not reconnect. */
 interface Link {
-  /** The period of keep-alives; a broker that is silent for 1.5 periods counts as lost. */
-  int KEEP_ALIVE_SECONDS = 10;
+  /** The period of keep-alives; a broker that is silent for two periods counts as lost. */
+  int KEEP_ALIVE_SECONDS = 7;
 
   /** Connects with a clean session: the broker keeps no messages for this client. */
   CompletableFuture<?> connect();

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import no.hials.crosscom.kafka.RobotSinkTask;
 import no.hials.crosscom.mock.Fault;
@@ -102,7 +103,9 @@ class SinkTaskIT {
     public ErrantRecordReporter errantRecordReporter() {
       return (record, error) -> {
         deadLetters.add(record.value() + ": " + error.getMessage());
-        return CompletableFuture.runAsync(() -> {});
+        // a report that is done at once is repeated
+        return CompletableFuture.runAsync(
+            () -> {}, CompletableFuture.delayedExecutor(20, TimeUnit.MILLISECONDS));
       };
     }
   }

@@ -98,6 +98,18 @@ class TeachTest {
     assertThat(pages.controller().variables().get("$PRO_NAME1[]")).isEqualTo("\"EXT_MOVE_AXIS\"");
   }
 
+  @Test
+  void aFaultEndsWhileAnotherCommandWaitsForTheRobot() throws Exception {
+    unlock();
+    setFaults("0", "0", "true");
+    socket.send("{\"id\":900,\"do\":\"model\",\"robot\":\"mock\"}");
+
+    setFaults("0", "0", "false");
+
+    assertThat(bench().path("silent").asBoolean()).isFalse();
+    socket.await(it -> it.path("id").asInt() == 900); // later than the answers before
+  }
+
   private void setFaults(String latency, String lost, String silent) throws InterruptedException {
     JsonNode answer =
         socket.call(

@@ -81,11 +81,12 @@ public final class TeachCommands {
 
   /** Adds the commands. */
   public void addTo(Commands commands) {
-    commands.add("teach", Role.VIEW, this::show);
-    commands.add("teach-mode", Role.OPERATE, this::setMode);
-    commands.add("teach-stop", Role.OPERATE, this::setEmergencyStop);
-    commands.add("teach-faults", Role.OPERATE, this::setFaults);
-    commands.add("teach-fault", Role.OPERATE, this::faultOnce);
+    // at once, or the commands that wait for the robot would delay the end of a fault
+    commands.addQuick("teach", Role.VIEW, this::show);
+    commands.addQuick("teach-mode", Role.OPERATE, this::setMode);
+    commands.addQuick("teach-stop", Role.OPERATE, this::setEmergencyStop);
+    commands.addQuick("teach-faults", Role.OPERATE, this::setFaults);
+    commands.addQuick("teach-fault", Role.OPERATE, this::faultOnce);
     commands.add("teach-program", Role.OPERATE, this::startProgram);
     commands.addOvertaking("teach-still", Role.OPERATE, (call, answer) -> holdStill(call));
     commands.add("lessons", Role.VIEW, (call, answer) -> Lessons.list(answer.putArray("lessons")));
@@ -116,6 +117,7 @@ public final class TeachCommands {
 
   /** Makes an allowed change, sends it to all pages, and adds it to the audit log. */
   private void change(Call call, String name, String value, Change change) throws IOException {
+    call.checkAge();
     Bench bench = bench(call);
     RobotSession robot = robots.of(call);
     changes.make(

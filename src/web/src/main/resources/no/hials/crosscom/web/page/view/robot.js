@@ -73,6 +73,9 @@ function useModel() {
   const { socket } = useSharedState();
   const { connection, connections } = header();
   useEffect(() => {
+    if (connection !== 'connected') {
+      return undefined; // the robot cannot answer, and other commands would wait for it
+    }
     let wanted = true;
     call('model', { robot: state.robot })
       .then((answer) => {
@@ -81,7 +84,7 @@ function useModel() {
           setModel((old) => (JSON.stringify(old) === JSON.stringify(answer) ? old : answer));
         }
       })
-      .catch((e) => wanted && connection === 'connected' && note('error', e.message));
+      .catch((e) => wanted && note('error', e.message));
     return () => (wanted = false);
   }, [socket, connection, connections]);
   return model;

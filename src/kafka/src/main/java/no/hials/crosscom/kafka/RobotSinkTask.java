@@ -3,6 +3,7 @@ package no.hials.crosscom.kafka;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -138,16 +139,18 @@ public final class RobotSinkTask extends SinkTask {
 
   @Override
   public void put(Collection<SinkRecord> records) {
+    Map<SinkRecord, Exception> unknown = new LinkedHashMap<>();
     for (SinkRecord record : records) {
       if (claims().isSettled(record)) {
         continue;
       }
       if (claims().isUnknown(record)) {
-        report(record, new UnknownOutcomeException());
+        unknown.put(record, new UnknownOutcomeException());
       } else {
         claims().hold(record);
       }
     }
+    report(unknown);
     // before a claim too: what is not claimed stays for the task with the new plant
     if (!claims().isEmpty() && !writer().isCurrent()) {
       requested = false;
@@ -217,28 +220,37 @@ public final class RobotSinkTask extends SinkTask {
     writing = true;
     List<SinkRecord> claimed = claims().claimed();
     Map<SinkRecord, Optional<Exception>> outcomes = writer().write(claimed);
+    Map<SinkRecord, Exception> failed = new LinkedHashMap<>();
     for (SinkRecord record : claimed) {
       Optional<Exception> outcome = outcomes.get(record);
-      if (outcome != null) {
-        outcome.ifPresent(why -> report(record, why));
+      if (outcome == null) {
+        continue; // not tried
+      }
+      if (outcome.isPresent()) {
+        failed.put(record, outcome.get());
+      } else {
         claims().settle(record);
       }
     }
+    report(failed);
+    failed.keySet().forEach(claims()::settle);
     release();
   }
 
-  /** Puts a record on the dead-letter topic, and waits until it is there. */
-  private void report(SinkRecord record, Exception why) {
+  /** Puts records on the dead-letter topic, and waits until they are there. */
+  private void report(Map<SinkRecord, Exception> letters) {
     if (dead == null) {
       throw new IllegalStateException("not started");
     }
-    LOG.warn(
-        "{}-{}@{}: {}",
-        record.originalTopic(),
-        record.originalKafkaPartition(),
-        record.originalKafkaOffset(),
-        PrintableText.shortened(String.valueOf(why.getMessage())));
-    dead.put(record, why);
+    letters.forEach(
+        (record, why) ->
+            LOG.warn(
+                "{}-{}@{}: {}",
+                record.originalTopic(),
+                record.originalKafkaPartition(),
+                record.originalKafkaOffset(),
+                PrintableText.shortened(String.valueOf(why.getMessage()))));
+    dead.put(letters);
   }
 
   @Override

@@ -1,6 +1,11 @@
 package no.hials.crosscom.kafka.internal;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -21,6 +26,9 @@ public final class DeadLetters implements AutoCloseable {
   /** A future that is done at once can also be that of a very quick answer: a few in a row not. */
   private static final int TRIES = 3;
 
+  /** The records that wait for their acknowledgements together. */
+  private static final int AT_ONCE = 50;
+
   private final ErrantRecordReporter reporter;
   private final String topic;
   private final Duration patience;
@@ -38,7 +46,7 @@ public final class DeadLetters implements AutoCloseable {
    * Creates an object that reports to Connect.
    *
    * @param topic the name of the dead-letter topic, for messages
-   * @param patience the longest wait for the brokers
+   * @param patience the longest wait for the brokers, for some records each
    */
   public DeadLetters(ErrantRecordReporter reporter, String topic, Duration patience) {
     this.reporter = reporter;
@@ -47,13 +55,23 @@ public final class DeadLetters implements AutoCloseable {
   }
 
   /**
-   * Puts a record on the topic, and waits until it is there.
+   * Puts records on the topic with their reasons, and waits until they are there.
    *
    * @throws ConnectException if that is not certain
    */
-  public void put(SinkRecord record, Exception why) {
-    Exception brief = brief(why);
-    Future<Boolean> sent = thread.submit(() -> isSent(record, brief));
+  public void put(Map<SinkRecord, Exception> letters) {
+    List<SinkRecord> records = List.copyOf(letters.keySet());
+    for (int i = 0; i < records.size(); i += AT_ONCE) {
+      Map<SinkRecord, Exception> next = new LinkedHashMap<>();
+      for (SinkRecord record : records.subList(i, Math.min(records.size(), i + AT_ONCE))) {
+        next.put(record, brief(Objects.requireNonNull(letters.get(record))));
+      }
+      putAtOnce(next);
+    }
+  }
+
+  private void putAtOnce(Map<SinkRecord, Exception> letters) {
+    Future<Boolean> sent = thread.submit(() -> areSent(letters));
     try {
       if (!sent.get(patience.toMillis(), TimeUnit.MILLISECONDS)) {
         throw new ConnectException(
@@ -81,17 +99,32 @@ public final class DeadLetters implements AutoCloseable {
     }
   }
 
-  private boolean isSent(SinkRecord record, Exception why)
+  private boolean areSent(Map<SinkRecord, Exception> letters)
       throws ExecutionException, InterruptedException {
-    for (int i = 0; i < TRIES; i++) {
-      Future<Void> future = reporter.report(record, why);
-      boolean certain = !future.isDone();
-      future.get();
-      if (certain) {
-        return true;
-      }
+    Map<SinkRecord, Exception> left = letters;
+    for (int i = 0; i < TRIES && !left.isEmpty(); i++) {
+      left = report(left);
     }
-    return false;
+    return left.isEmpty();
+  }
+
+  /** Reports records, and returns those of which it is not certain that they are there. */
+  private Map<SinkRecord, Exception> report(Map<SinkRecord, Exception> letters)
+      throws ExecutionException, InterruptedException {
+    Map<SinkRecord, Exception> uncertain = new LinkedHashMap<>();
+    List<Future<Void>> acknowledged = new ArrayList<>();
+    letters.forEach(
+        (record, why) -> {
+          Future<Void> future = reporter.report(record, why);
+          if (future.isDone()) {
+            uncertain.put(record, why);
+          }
+          acknowledged.add(future);
+        });
+    for (Future<Void> future : acknowledged) {
+      future.get();
+    }
+    return uncertain;
   }
 
   /** Returns an exception whose message and causes fit into the headers of a dead letter. */

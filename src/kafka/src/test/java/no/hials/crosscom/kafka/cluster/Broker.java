@@ -138,6 +138,9 @@ final class Broker implements AutoCloseable {
     while (true) {
       for (ConsumerRecord<String, String> record : consumer.poll(Duration.ofSeconds(1))) {
         if (wanted.test(record)) {
+          // the next call begins after it, and not after all that was read with it
+          consumer.seek(
+              new TopicPartition(record.topic(), record.partition()), record.offset() + 1);
           return record.value();
         }
       }

@@ -4,7 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
@@ -23,7 +28,7 @@ class DeadLettersTest {
 
   private static void put(ErrantRecordReporter reporter, Duration patience) {
     try (DeadLetters letters = new DeadLetters(reporter, "dead", patience)) {
-      letters.put(RECORD, new DataException("not written"));
+      letters.put(Map.of(RECORD, new DataException("not written")));
     }
   }
 
@@ -32,8 +37,19 @@ class DeadLettersTest {
   }
 
   private static Future<Void> acknowledged() {
+    return acknowledgedAfter(new CountDownLatch(0));
+  }
+
+  private static Future<Void> acknowledgedAfter(CountDownLatch reports) {
     return CompletableFuture.runAsync(
-        () -> {}, CompletableFuture.delayedExecutor(50, TimeUnit.MILLISECONDS));
+        () -> {
+          try {
+            reports.await();
+          } catch (InterruptedException e) {
+            throw new CompletionException(e);
+          }
+        },
+        CompletableFuture.delayedExecutor(50, TimeUnit.MILLISECONDS));
   }
 
   @Test
@@ -45,6 +61,52 @@ class DeadLettersTest {
           return acknowledged();
         });
     assertThat(reports).hasValue(1);
+  }
+
+  @Test
+  void recordsWaitForTheirAcknowledgementsTogether() {
+    Map<SinkRecord, Exception> letters = new LinkedHashMap<>();
+    for (int offset = 0; offset < 120; offset++) {
+      letters.put(
+          new SinkRecord("commands", 0, null, null, null, "x", offset),
+          new DataException("not written"));
+    }
+    List<Long> reported = new ArrayList<>();
+    CountDownLatch many = new CountDownLatch(20);
+    try (DeadLetters dead =
+        new DeadLetters(
+            (record, why) -> {
+              reported.add(record.originalKafkaOffset());
+              many.countDown();
+              return acknowledgedAfter(many);
+            },
+            "dead",
+            Duration.ofSeconds(50))) {
+      dead.put(letters);
+    }
+    assertThat(reported).doesNotHaveDuplicates().hasSize(120).isSorted();
+  }
+
+  @Test
+  void onlyTheUncertainRecordsAreReportedAgain() {
+    Map<SinkRecord, Exception> letters = new LinkedHashMap<>();
+    SinkRecord other = new SinkRecord("commands", 0, null, null, null, "x", 8);
+    letters.put(RECORD, new DataException("not written"));
+    letters.put(other, new DataException("not written"));
+    List<SinkRecord> reported = new ArrayList<>();
+    try (DeadLetters dead =
+        new DeadLetters(
+            (record, why) -> {
+              reported.add(record);
+              return reported.size() == 2
+                  ? CompletableFuture.completedFuture(null)
+                  : acknowledged();
+            },
+            "dead",
+            Duration.ofSeconds(50))) {
+      dead.put(letters);
+    }
+    assertThat(reported).containsExactly(RECORD, other, other);
   }
 
   @Test

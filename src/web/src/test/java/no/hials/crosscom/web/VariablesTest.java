@@ -189,6 +189,18 @@ class VariablesTest {
     }
   }
 
+  @ParameterizedTest
+  @CsvSource({"$axis_act ro, true", "$axis_act rw, false", "$ACC_AXIS[], true"})
+  void theSearchKnowsTheAccessAndTheNameAsThePageShowsIt(String text, boolean found)
+      throws Exception {
+    try (TestPages pages = TestPages.start(folder);
+        TestSocket socket = pages.open(Role.VIEW)) {
+      JsonNode answer =
+          socket.call("search", "robot", "'mock'", "text", "'" + text + "'", "limit", "5");
+      assertThat(answer.path("ok").path("total").asInt() > 0).isEqualTo(found);
+    }
+  }
+
   private static JsonNode searchJawWidth(TestSocket socket) throws InterruptedException {
     return socket.call("search", "robot", "'mock'", "text", "'jaw_width'", "limit", "5").path("ok");
   }

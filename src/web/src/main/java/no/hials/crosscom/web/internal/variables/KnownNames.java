@@ -56,7 +56,13 @@ final class KnownNames {
               it ->
                   new SearchedVariable(
                       it,
-                      String.join("\n", it.declarator(), it.type(), it.unit(), it.meaning())
+                      String.join(
+                              "\n",
+                              it.declarator(),
+                              it.type(),
+                              it.unit(),
+                              it.shortAccess(),
+                              it.meaning())
                           .toLowerCase(Locale.ROOT)))
           .toList();
     }

@@ -76,7 +76,9 @@ public final class VariableCommands {
   }
 
   private void search(Call call, ObjectNode answer) throws IOException {
-    List<String> words = List.of(call.text("text", 200).toLowerCase(Locale.ROOT).split("\\s+"));
+    // the page shows an array as NAME[]
+    String text = call.text("text", 200).toLowerCase(Locale.ROOT).replace("[]", "");
+    List<String> words = List.of(text.split("\\s+"));
     int limit = (int) call.number("limit", 1, MAX_FOUND);
     KnownNames.Names known = names(robots.of(call)).now();
     Catalogue catalogue = known.catalogue();

@@ -189,6 +189,23 @@ class JogBrowserIT {
   }
 
   @Test
+  void aKeyEndsWithTheFocusBeforeThePageHasShownIt(Browser browser) {
+    open(browser, Browser.Size.DESKTOP);
+
+    browser.run(
+        "const button = document.querySelector(arguments[0]);"
+            + "button.focus();"
+            + "button.dispatchEvent(new KeyboardEvent('keydown', { key: ' ', bubbles: true }));"
+            + "document.querySelector(\"[aria-label='Hold to move X minus']\").focus();"
+            + "setTimeout(() => (window.later = true), 500);",
+        PLUS);
+    browser.await("window.later");
+
+    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    assertThat(stands()).isTrue();
+  }
+
+  @Test
   void aKeyMovesTheRobotUntilTheNextButton(Browser browser) {
     open(browser, Browser.Size.DESKTOP);
     browser.run("document.querySelector(arguments[0]).focus()", PLUS);

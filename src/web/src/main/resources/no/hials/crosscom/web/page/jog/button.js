@@ -12,8 +12,12 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
   const begin = (source) => press(source, { direction, positive, percent, step });
   const end = () => held().some(isOurs) && release(direction);
   // a second finger on another button takes the focus, and the first one still holds
-  const blur = (event) =>
-    (own?.source === 'key' || !event.relatedTarget?.matches('.hold')) && end();
+  const blur = (event) => {
+    const byKey = held().find(isOurs)?.source === 'key'; // `own` is that of the last rendering
+    if (byKey || !event.relatedTarget?.matches('.hold')) {
+      end();
+    }
+  };
   useEffect(() => end, []);
   useEffect(() => {
     if (disabled) {

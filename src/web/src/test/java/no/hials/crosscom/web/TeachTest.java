@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.Set;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.protocol.ServerType;
@@ -99,15 +101,39 @@ class TeachTest {
   }
 
   @Test
+  void theEmergencyStopStaysPressedAfterAnEarlierStartBehindAWaitingCommand() throws Exception {
+    unlock();
+    setFaults("0", "0", "true");
+    socket.send("{\"id\":900,\"do\":\"model\",\"robot\":\"mock\"}");
+    String rest = changeOf(socket.clock());
+    socket.send("{\"id\":901,\"do\":\"teach-program\",\"program\":\"actuator\"," + rest);
+    socket.send("{\"id\":902,\"do\":\"teach-stop\",\"pressed\":true," + rest);
+    Set<Integer> open = new HashSet<>(Set.of(900, 901, 902));
+    socket.await(
+        it -> {
+          open.remove(it.path("id").asInt());
+          return open.isEmpty();
+        });
+
+    assertThat(bench().path("emergency_stop").asBoolean()).isTrue();
+    assertThat(pages.controller().variables().get("$PRO_STATE1")).isEqualTo("#P_STOP");
+  }
+
+  @Test
   void aFaultEndsWhileAnotherCommandWaitsForTheRobot() throws Exception {
     unlock();
     setFaults("0", "0", "true");
     socket.send("{\"id\":900,\"do\":\"model\",\"robot\":\"mock\"}");
+    socket.send("{\"id\":901,\"do\":\"teach-faults\",\"silent\":false," + changeOf(socket.clock()));
 
-    setFaults("0", "0", "false");
-
+    JsonNode first = socket.await(it -> Set.of(900, 901).contains(it.path("id").asInt()));
+    assertThat(first.path("id").asInt()).isEqualTo(901);
+    assertThat(first.has("ok")).isTrue();
     assertThat(bench().path("silent").asBoolean()).isFalse();
-    socket.await(it -> it.path("id").asInt() == 900); // later than the answers before
+  }
+
+  private static String changeOf(long clock) {
+    return "\"robot\":\"mock\",\"confirmed\":true,\"clock\":" + clock + "}";
   }
 
   private void setFaults(String latency, String lost, String silent) throws InterruptedException {

@@ -81,13 +81,14 @@ public final class TeachCommands {
 
   /** Adds the commands. */
   public void addTo(Commands commands) {
-    // at once, or the commands that wait for the robot would delay the end of a fault
+    // at once and in order: behind commands that wait for the robot, a fault would not end, and the
+    // start of a program would release an emergency stop that was pressed after it
     commands.addQuick("teach", Role.VIEW, this::show);
     commands.addQuick("teach-mode", Role.OPERATE, this::setMode);
     commands.addQuick("teach-stop", Role.OPERATE, this::setEmergencyStop);
     commands.addQuick("teach-faults", Role.OPERATE, this::setFaults);
     commands.addQuick("teach-fault", Role.OPERATE, this::faultOnce);
-    commands.add("teach-program", Role.OPERATE, this::startProgram);
+    commands.addQuick("teach-program", Role.OPERATE, this::startProgram);
     commands.addOvertaking("teach-still", Role.OPERATE, (call, answer) -> holdStill(call));
     commands.add("lessons", Role.VIEW, (call, answer) -> Lessons.list(answer.putArray("lessons")));
     commands.add(

@@ -8,6 +8,7 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Objects;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -219,10 +220,7 @@ public final class Session implements AutoCloseable {
   }
 
   private Traffic traffic() {
-    if (traffic == null) {
-      throw new IllegalStateException("not started");
-    }
-    return traffic;
+    return Objects.requireNonNull(traffic, "not started");
   }
 
   private void run() {

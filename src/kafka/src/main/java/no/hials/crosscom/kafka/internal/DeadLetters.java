@@ -12,6 +12,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.sink.ErrantRecordReporter;
@@ -46,7 +47,7 @@ public final class DeadLetters implements AutoCloseable {
    * Creates an object that reports to Connect.
    *
    * @param topic the name of the dead-letter topic, for messages
-   * @param patience the longest wait for the brokers, for some records each
+   * @param patience the longest wait for the next answer of the brokers
    */
   public DeadLetters(ErrantRecordReporter reporter, String topic, Duration patience) {
     this.reporter = reporter;
@@ -71,9 +72,10 @@ public final class DeadLetters implements AutoCloseable {
   }
 
   private void putAtOnce(Map<SinkRecord, Exception> letters) {
-    Future<Boolean> sent = thread.submit(() -> areSent(letters));
+    AtomicInteger steps = new AtomicInteger();
+    Future<Boolean> sent = thread.submit(() -> areSent(letters, steps));
     try {
-      if (!sent.get(patience.toMillis(), TimeUnit.MILLISECONDS)) {
+      if (!await(sent, steps)) {
         throw new ConnectException(
             "the dead-letter topic "
                 + topic
@@ -99,17 +101,32 @@ public final class DeadLetters implements AutoCloseable {
     }
   }
 
-  private boolean areSent(Map<SinkRecord, Exception> letters)
+  /** Waits as long as there is a step within the longest wait. */
+  private boolean await(Future<Boolean> sent, AtomicInteger steps)
+      throws ExecutionException, InterruptedException, TimeoutException {
+    while (true) {
+      int before = steps.get();
+      try {
+        return sent.get(patience.toMillis(), TimeUnit.MILLISECONDS);
+      } catch (TimeoutException e) {
+        if (steps.get() == before) {
+          throw e;
+        }
+      }
+    }
+  }
+
+  private boolean areSent(Map<SinkRecord, Exception> letters, AtomicInteger steps)
       throws ExecutionException, InterruptedException {
     Map<SinkRecord, Exception> left = letters;
     for (int i = 0; i < TRIES && !left.isEmpty(); i++) {
-      left = report(left);
+      left = report(left, steps);
     }
     return left.isEmpty();
   }
 
   /** Reports records, and returns those of which it is not certain that they are there. */
-  private Map<SinkRecord, Exception> report(Map<SinkRecord, Exception> letters)
+  private Map<SinkRecord, Exception> report(Map<SinkRecord, Exception> letters, AtomicInteger steps)
       throws ExecutionException, InterruptedException {
     Map<SinkRecord, Exception> uncertain = new LinkedHashMap<>();
     List<Future<Void>> acknowledged = new ArrayList<>();
@@ -120,9 +137,11 @@ public final class DeadLetters implements AutoCloseable {
             uncertain.put(record, why);
           }
           acknowledged.add(future);
+          steps.incrementAndGet();
         });
     for (Future<Void> future : acknowledged) {
       future.get();
+      steps.incrementAndGet();
     }
     return uncertain;
   }

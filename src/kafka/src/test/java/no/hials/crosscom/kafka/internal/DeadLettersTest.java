@@ -88,6 +88,29 @@ class DeadLettersTest {
   }
 
   @Test
+  void slowAcknowledgementsOfManyRecordsAreAwaited() {
+    Map<SinkRecord, Exception> letters = new LinkedHashMap<>();
+    for (int offset = 0; offset < 20; offset++) {
+      letters.put(
+          new SinkRecord("commands", 0, null, null, null, "x", offset),
+          new DataException("not written"));
+    }
+    AtomicInteger reports = new AtomicInteger();
+    try (DeadLetters dead =
+        new DeadLetters(
+            (record, why) ->
+                CompletableFuture.runAsync(
+                    () -> {},
+                    CompletableFuture.delayedExecutor(
+                        100L * reports.incrementAndGet(), TimeUnit.MILLISECONDS)),
+            "dead",
+            Duration.ofSeconds(1))) {
+      dead.put(letters);
+    }
+    assertThat(reports).hasValue(20);
+  }
+
+  @Test
   void onlyTheUncertainRecordsAreReportedAgain() {
     Map<SinkRecord, Exception> letters = new LinkedHashMap<>();
     SinkRecord other = new SinkRecord("commands", 0, null, null, null, "x", 8);

@@ -60,7 +60,6 @@ public final class RunKrlProgram {
     client.files().upload(KrlFolder.file("actuator.dat"), PROGRAM + ".dat", REPLACE);
     client.programs().select("/R1/ACTUATOR");
     client.programs().start(Interpreter.ROBOT);
-    System.out.println("started: " + client.readText("$PRO_STATE1"));
     try {
       move(client);
     } finally {
@@ -93,6 +92,7 @@ public final class RunKrlProgram {
   private static void move(CrossComClient client) throws IOException {
     double z = height(client);
     awaitLoop(client);
+    System.out.println("started: " + client.readText("$PRO_STATE1"));
     client.writeVariable(new KRLPos("MYPOS").setZ(1)); // mm per step
     while (height(client) < z + 40) {
       checkActive(client);

@@ -102,9 +102,7 @@ class TeachTest {
 
   @Test
   void theEmergencyStopStaysPressedAfterAnEarlierStartBehindAWaitingCommand() throws Exception {
-    unlock();
-    setFaults("0", "0", "true");
-    socket.send("{\"id\":900,\"do\":\"model\",\"robot\":\"mock\"}");
+    letCommand900WaitForASilentRobot();
     String rest = changeOf(socket.clock());
     socket.send("{\"id\":901,\"do\":\"teach-program\",\"program\":\"actuator\"," + rest);
     socket.send("{\"id\":902,\"do\":\"teach-stop\",\"pressed\":true," + rest);
@@ -121,15 +119,19 @@ class TeachTest {
 
   @Test
   void aFaultEndsWhileAnotherCommandWaitsForTheRobot() throws Exception {
-    unlock();
-    setFaults("0", "0", "true");
-    socket.send("{\"id\":900,\"do\":\"model\",\"robot\":\"mock\"}");
+    letCommand900WaitForASilentRobot();
     socket.send("{\"id\":901,\"do\":\"teach-faults\",\"silent\":false," + changeOf(socket.clock()));
 
     JsonNode first = socket.await(it -> Set.of(900, 901).contains(it.path("id").asInt()));
     assertThat(first.path("id").asInt()).isEqualTo(901);
     assertThat(first.has("ok")).isTrue();
     assertThat(bench().path("silent").asBoolean()).isFalse();
+  }
+
+  private void letCommand900WaitForASilentRobot() throws InterruptedException {
+    unlock();
+    setFaults("0", "0", "true");
+    socket.send("{\"id\":900,\"do\":\"model\",\"robot\":\"mock\"}");
   }
 
   private static String changeOf(long clock) {

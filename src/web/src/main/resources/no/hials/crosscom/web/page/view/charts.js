@@ -259,12 +259,8 @@ function usePicture({ names, period, span }) {
   own.span = span;
   useEffect(() => () => clearTimeout(timer.current), []);
   useEffect(() => {
-    own.frozen = null;
-    own.frozenByZoom = false;
-    own.zoomed = null;
     own.cursor = null;
-    own.draw();
-    own.changed();
+    own.freeze(false);
     return player?.follow(() => {
       own.draw();
       own.changed();

@@ -104,7 +104,11 @@ public final class MessageCommands {
         robot,
         "answer",
         dialogue.map(Message::text).orElse("a dialogue"),
-        dialogue.map(it -> label(it, key)).orElse(Integer.toString(key)),
+        dialogue
+            .map(Message::keys)
+            .filter(keys -> key <= keys.size())
+            .map(keys -> key + " " + keys.get(key - 1))
+            .orElse(Integer.toString(key)),
         () -> {
           robot.lock().check(call, "answer the dialogue");
           if (simulated.isEmpty()) {
@@ -116,9 +120,5 @@ public final class MessageCommands {
           }
           simulated.get().answer(dialogue.get(), key);
         });
-  }
-
-  private static String label(Message dialogue, int key) {
-    return key <= dialogue.keys().size() ? key + " " + dialogue.keys().get(key - 1) : "" + key;
   }
 }

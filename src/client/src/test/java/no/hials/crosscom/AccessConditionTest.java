@@ -73,9 +73,10 @@ class AccessConditionTest extends RobotTest {
   }
 
   @Test
-  void noConnectionIsMadeWhileItDoesNotHold() {
-    allowed.set(false);
+  void noConnectionIsMadeWhileItDoesNotHold() throws Exception {
+    assertThat(client.readText("$OV_PRO")).isEqualTo("100"); // the server knows this client
     int before = robot.clientCount();
+    allowed.set(false);
     assertThatExceptionOfType(CrossComConnectException.class)
         .isThrownBy(this::guarded)
         .withMessageContaining("not allowed now");

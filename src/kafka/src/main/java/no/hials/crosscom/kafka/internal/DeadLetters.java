@@ -12,7 +12,6 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
-import java.util.concurrent.atomic.AtomicInteger;
 import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.sink.ErrantRecordReporter;
@@ -27,8 +26,11 @@ public final class DeadLetters implements AutoCloseable {
   /** A future that is done at once can also be that of a very quick answer: a few in a row not. */
   private static final int TRIES = 3;
 
-  /** The records that wait for their acknowledgements together. */
-  private static final int AT_ONCE = 50;
+  /**
+   * The records that wait for their acknowledgements together. The time in which the producer has
+   * to deliver them begins for all at the same moment, and it can send large ones only singly.
+   */
+  private static final int AT_ONCE = 10;
 
   private final ErrantRecordReporter reporter;
   private final String topic;
@@ -47,7 +49,7 @@ public final class DeadLetters implements AutoCloseable {
    * Creates an object that reports to Connect.
    *
    * @param topic the name of the dead-letter topic, for messages
-   * @param patience the longest wait for the next answer of the brokers
+   * @param patience the longest wait for the acknowledgements of some records
    */
   public DeadLetters(ErrantRecordReporter reporter, String topic, Duration patience) {
     this.reporter = reporter;
@@ -72,10 +74,9 @@ public final class DeadLetters implements AutoCloseable {
   }
 
   private void putAtOnce(Map<SinkRecord, Exception> letters) {
-    AtomicInteger steps = new AtomicInteger();
-    Future<Boolean> sent = thread.submit(() -> areSent(letters, steps));
+    Future<Boolean> sent = thread.submit(() -> areSent(letters));
     try {
-      if (!await(sent, steps)) {
+      if (!sent.get(patience.toMillis(), TimeUnit.MILLISECONDS)) {
         throw new ConnectException(
             "the dead-letter topic "
                 + topic
@@ -96,37 +97,22 @@ public final class DeadLetters implements AutoCloseable {
               + topic
               + " did not take a record within "
               + patience.toMillis()
-              + " ms: it does not exist, or its brokers do not answer",
+              + " ms: it does not exist, or its brokers do not answer or are too slow",
           e);
     }
   }
 
-  /** Waits as long as there is a step within the longest wait. */
-  private boolean await(Future<Boolean> sent, AtomicInteger steps)
-      throws ExecutionException, InterruptedException, TimeoutException {
-    while (true) {
-      int before = steps.get();
-      try {
-        return sent.get(patience.toMillis(), TimeUnit.MILLISECONDS);
-      } catch (TimeoutException e) {
-        if (steps.get() == before) {
-          throw e;
-        }
-      }
-    }
-  }
-
-  private boolean areSent(Map<SinkRecord, Exception> letters, AtomicInteger steps)
+  private boolean areSent(Map<SinkRecord, Exception> letters)
       throws ExecutionException, InterruptedException {
     Map<SinkRecord, Exception> left = letters;
     for (int i = 0; i < TRIES && !left.isEmpty(); i++) {
-      left = report(left, steps);
+      left = report(left);
     }
     return left.isEmpty();
   }
 
   /** Reports records, and returns those of which it is not certain that they are there. */
-  private Map<SinkRecord, Exception> report(Map<SinkRecord, Exception> letters, AtomicInteger steps)
+  private Map<SinkRecord, Exception> report(Map<SinkRecord, Exception> letters)
       throws ExecutionException, InterruptedException {
     Map<SinkRecord, Exception> uncertain = new LinkedHashMap<>();
     List<Future<Void>> acknowledged = new ArrayList<>();
@@ -137,11 +123,9 @@ public final class DeadLetters implements AutoCloseable {
             uncertain.put(record, why);
           }
           acknowledged.add(future);
-          steps.incrementAndGet();
         });
     for (Future<Void> future : acknowledged) {
       future.get();
-      steps.incrementAndGet();
     }
     return uncertain;
   }

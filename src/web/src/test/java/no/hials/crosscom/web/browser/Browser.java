@@ -100,8 +100,9 @@ public final class Browser implements AutoCloseable {
     }
   }
 
-  /** Closes the page, and forgets what was logged and all cookies. */
+  /** Lifts all fingers, closes the page, and forgets what was logged and all cookies. */
   void reset() {
+    lift();
     driver.get("about:blank");
     forgetCookies();
     size(Size.DESKTOP);
@@ -176,9 +177,11 @@ public final class Browser implements AutoCloseable {
 
   /** Lifts all fingers. */
   public void lift() {
-    fingers.clear();
-    driver.executeCdpCommand(
-        "Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
+    if (!fingers.isEmpty()) {
+      fingers.clear();
+      driver.executeCdpCommand(
+          "Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
+    }
   }
 
   /** Waits for the element of a CSS selector and returns it. */

@@ -129,6 +129,29 @@ class JogBrowserIT {
     browser.lift();
   }
 
+  /** Presses Space on the button; the release of the key is never seen by the page. */
+  private static void holdByKey(Browser browser) {
+    browser.run(
+        "const button = document.querySelector(arguments[0]);"
+            + "button.focus();"
+            + "button.dispatchEvent(new KeyboardEvent('keydown', { key: ' ', bubbles: true }));",
+        PLUS);
+  }
+
+  @Test
+  void aKeyAndAFingerOnBothButtonsOfADirectionEndIt(Browser browser) {
+    open(browser, Browser.Size.SMALL_PHONE);
+    holdByKey(browser);
+    browser.await(MOVING);
+
+    browser.touch("[aria-label='Hold to move X minus']");
+
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    browser.lift();
+  }
+
   /** Returns an expression for whether no element of a selector hides a part of its text. */
   private static String isWhole(String selector) {
     return "[...document.querySelectorAll('"
@@ -208,10 +231,7 @@ class JogBrowserIT {
   @Test
   void aKeyMovesTheRobotUntilTheNextButton(Browser browser) {
     open(browser, Browser.Size.DESKTOP);
-    browser.run("document.querySelector(arguments[0]).focus()", PLUS);
-    browser.run(
-        "document.activeElement.dispatchEvent("
-            + "new KeyboardEvent('keydown', { key: ' ', bubbles: true }))");
+    holdByKey(browser);
     browser.await(MOVING);
 
     browser.press(Keys.TAB); // the release of the key is not seen by the button

@@ -27,9 +27,10 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
   const down = (event) => {
     if (event.button === 0 && !disabled) {
       event.preventDefault();
-      event.currentTarget.focus();
       event.currentTarget.setPointerCapture(event.pointerId);
+      // before the focus ends the hold of a key: of + and - of one direction, both must end
       begin(event.pointerType || 'mouse');
+      event.currentTarget.focus();
     }
   };
   const keyDown = (event) => {

@@ -74,6 +74,13 @@ class FeedTest {
       range = [0, 1]
       """;
 
+  private static final String FAST =
+      """
+      [groups.fast]
+      variables = ["MYINT"]
+      period = "1ms"
+      """;
+
   @KukaController private MockServer robot;
   @TempDir private Path folder;
   private final BlockingQueue<Update> updates = new LinkedBlockingQueue<>();
@@ -314,6 +321,19 @@ class FeedTest {
         .contains("\"who\":\"mqtt:plc\"")
         .contains("\"robot\":\"cell1\"")
         .contains("\"before\":\"3\",\"after\":\"42\",\"result\":\"done\"");
+  }
+
+  @Test
+  void theAuditLogHasNoNewValueAsTheOneBefore() throws Exception {
+    start("variables = [\"$OV_PRO\"]", WRITABLE + FAST);
+    next(is("MYINT", 0));
+    Writes writes = writes();
+
+    for (int value = 1; value <= 100; value++) {
+      writes.write("mqtt:plc", plant, feed, "MYINT", String.valueOf(value), SOON);
+
+      assertThat(lastAudit()).doesNotContain("\"before\":\"" + value + "\"");
+    }
   }
 
   @Test

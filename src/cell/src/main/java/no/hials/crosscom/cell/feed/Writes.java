@@ -46,6 +46,7 @@ public final class Writes {
       String who, Plant plant, RobotFeed robot, String name, String text, Duration sendWithin)
       throws IOException {
     String value = text.strip();
+    String before = lastText(robot, name); // a reading during the write can have the new value
     String result = "failed";
     try {
       check(plant, robot, name, value);
@@ -58,7 +59,7 @@ public final class Writes {
       result = e.toString();
       throw e;
     } finally {
-      add(who, robot, name, value, result);
+      add(who, robot.name(), name, before, value, result);
     }
   }
 
@@ -94,17 +95,21 @@ public final class Writes {
    * @param reason why it was not
    */
   public void refused(String who, RobotFeed robot, String name, String text, String reason) {
-    add(who, robot, name, text, reason);
+    add(who, robot.name(), name, lastText(robot, name), text, reason);
   }
 
   /** Adds the line of a write to a robot that is not connected. */
   public void refused(String who, String robot, String name, String text, String reason) {
-    audit.add(new AuditLog.Entry(who, robot, "write", name, "", text, reason));
+    add(who, robot, name, "", text, reason);
   }
 
-  private void add(String who, RobotFeed robot, String name, String value, String result) {
-    String before = robot.lastValue(name).map(KrlValue::print).orElse("");
-    audit.add(new AuditLog.Entry(who, robot.name(), "write", name, before, value, result));
+  private static String lastText(RobotFeed robot, String name) {
+    return robot.lastValue(name).map(KrlValue::print).orElse("");
+  }
+
+  private void add(
+      String who, String robot, String name, String before, String value, String result) {
+    audit.add(new AuditLog.Entry(who, robot, "write", name, before, value, result));
   }
 
   /** Refuses a write that the configuration does not allow. */

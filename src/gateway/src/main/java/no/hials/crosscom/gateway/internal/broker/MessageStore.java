@@ -81,7 +81,7 @@ final class MessageStore implements AutoCloseable {
     showSize();
   }
 
-  private void takeOver(Path file) throws IOException {
+  private void takeOver(Path file) {
     String name = file.getFileName().toString();
     try {
       nextNumber =
@@ -92,14 +92,20 @@ final class MessageStore implements AutoCloseable {
       return;
     }
     Segment segment = new Segment(file);
-    segment.messages = read(segment, Files.readAllBytes(file)).size();
-    if (segment.messages == 0) {
-      Files.delete(file);
-    } else {
-      segments.add(segment);
-      bytes += segment.bytes;
-      messages += segment.messages;
+    try {
+      segment.messages = read(segment, Files.readAllBytes(file)).size();
+      if (segment.messages == 0) {
+        Files.delete(file);
+        return;
+      }
+    } catch (IOException e) {
+      figures.damaged.inc();
+      LOG.warn("the stored messages in {} are left there: {}", file, e.toString());
+      return;
     }
+    segments.add(segment);
+    bytes += segment.bytes;
+    messages += segment.messages;
   }
 
   /** Returns the messages up to the end or to the first damage, and records their size. */
@@ -194,9 +200,9 @@ final class MessageStore implements AutoCloseable {
         || segment.bytes + record.remaining() > Math.min(MAX_FILE, limit / FILES)) {
       endFile();
       Files.createDirectories(folder);
-      Path file = folder.resolve(String.format(Locale.ROOT, "%019d%s", nextNumber, ENDING));
+      // also of a file that cannot be created: another may have this name
+      Path file = folder.resolve(String.format(Locale.ROOT, "%019d%s", nextNumber++, ENDING));
       channel = FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-      nextNumber++;
       tail = channel;
       segment = new Segment(file);
       segments.add(segment);

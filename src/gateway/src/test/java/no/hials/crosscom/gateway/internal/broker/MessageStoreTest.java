@@ -169,6 +169,40 @@ class MessageStoreTest {
   }
 
   @Test
+  void aFileThatCannotBeReadHidesNoOther() throws IOException {
+    try (MessageStore store = open()) {
+      IntStream.rangeClosed(1, 100).forEach(i -> store.add(message(i)));
+    }
+    List<Path> files = files();
+    assertThat(files).hasSizeGreaterThan(2);
+    Path first = files.get(0);
+    Files.delete(first);
+    Files.createDirectory(first);
+
+    try (MessageStore store = open()) {
+      assertThat(figures.damaged.get()).isEqualTo(1);
+      int kept = (int) store.size();
+      assertThat(kept).isPositive();
+      assertThat(takeAll(store)).isEqualTo(messages(101 - kept, 100));
+      assertThat(files()).containsExactly(first);
+    }
+  }
+
+  @Test
+  void aNameThatIsTakenCostsOnlyOneMessage() throws IOException {
+    try (MessageStore store = open()) {
+      Files.createDirectory(folder.resolve("0000000000000000001.messages"));
+      store.add(message(1));
+      store.add(message(2));
+      store.add(message(3));
+
+      assertThat(takeAll(store)).isEqualTo(messages(2, 3));
+      assertThat(health.counter("mqtt_messages_dropped", "").labelValues("test", "disk").get())
+          .isEqualTo(1);
+    }
+  }
+
+  @Test
   void eachTimeWithoutTheBrokerHasALineIfMessagesCannotBeStored() throws IOException {
     ListAppender<ILoggingEvent> log = new ListAppender<>();
     Logger logger = (Logger) LoggerFactory.getLogger(MessageStore.class);

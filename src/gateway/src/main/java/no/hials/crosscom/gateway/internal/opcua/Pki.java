@@ -8,6 +8,7 @@ import java.net.UnknownHostException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.security.KeyPair;
 import java.security.MessageDigest;
@@ -74,17 +75,25 @@ record Pki(
           new Rejected(
               Files.createDirectories(folder.resolve("rejected")),
               folder.resolve("trusted").resolve("certs"));
-      DefaultApplicationGroup group =
-          DefaultApplicationGroup.createAndInitialize(
-              trusted,
-              KeyStoreCertificateStore.createAndInitialize(
-                  new KeyStoreCertificateStore.Settings(
-                      store,
-                      STORE_PASSWORD::toCharArray,
-                      alias -> STORE_PASSWORD.toCharArray(),
-                      false)),
-              new OwnCertificate(host),
-              new DefaultServerCertificateValidator(trusted, rejected));
+      if (first) {
+        // a full disk or the end of the process must not leave a part of it
+        Path part = own.resolve("gateway.p12.part");
+        Files.deleteIfExists(part);
+        var unused = group(part, host, trusted, rejected);
+        Files.move(part, store, StandardCopyOption.ATOMIC_MOVE);
+      }
+      DefaultApplicationGroup group;
+      try {
+        group = group(store, host, trusted, rejected);
+      } catch (Exception e) {
+        throw new IOException(
+            store
+                + " cannot be read ("
+                + e.getMessage()
+                + "); without it the gateway creates another certificate, which the clients have"
+                + " to trust",
+            e);
+      }
       protect(store, "rw-------");
       X509Certificate certificate =
           group.getCertificateChain(NodeIds.RsaSha256ApplicationCertificateType)
@@ -106,6 +115,19 @@ record Pki(
       throw new IOException(
           "[opcua] cannot use the certificates in " + folder + ": " + e.getMessage(), e);
     }
+  }
+
+  /** Opens a file with the own certificate, and creates it if it is missing. */
+  private static DefaultApplicationGroup group(
+      Path store, String host, FileBasedTrustListManager trusted, CertificateQuarantine rejected)
+      throws Exception {
+    return DefaultApplicationGroup.createAndInitialize(
+        trusted,
+        KeyStoreCertificateStore.createAndInitialize(
+            new KeyStoreCertificateStore.Settings(
+                store, STORE_PASSWORD::toCharArray, alias -> STORE_PASSWORD.toCharArray(), false)),
+        new OwnCertificate(host),
+        new DefaultServerCertificateValidator(trusted, rejected));
   }
 
   /** Removes the permissions of other users, if the file system has permissions. */

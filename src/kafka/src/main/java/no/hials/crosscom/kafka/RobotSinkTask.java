@@ -139,20 +139,20 @@ public final class RobotSinkTask extends SinkTask {
 
   @Override
   public void put(Collection<SinkRecord> records) {
-    Map<SinkRecord, Exception> unknown = new LinkedHashMap<>();
     for (SinkRecord record : records) {
-      if (claims().isSettled(record)) {
-        continue;
-      }
-      if (claims().isUnknown(record)) {
-        unknown.put(record, new UnknownOutcomeException());
-      } else {
+      if (!claims().isSettled(record)) {
         claims().hold(record);
       }
     }
-    report(unknown);
-    // before a claim too: what is not claimed stays for the task with the new plant
-    if (!claims().isEmpty() && !writer().isCurrent()) {
+    Map<SinkRecord, Exception> unknown = new LinkedHashMap<>();
+    claims()
+        .unknown(DeadLetters.MOST)
+        .forEach(record -> unknown.put(record, new UnknownOutcomeException()));
+    if (!unknown.isEmpty()) {
+      report(unknown);
+      requestCommit();
+    } else if (!claims().isEmpty() && !writer().isCurrent()) {
+      // before a claim too: what is not claimed stays for the task with the new plant
       requested = false;
       if (claims().hasClaimed()) {
         release();
@@ -160,8 +160,7 @@ public final class RobotSinkTask extends SinkTask {
       context.pause(claims().assigned());
       context.timeout(OUTDATED_MILLIS);
       return;
-    }
-    if (!claims().hasClaimed()) {
+    } else if (!claims().hasClaimed()) {
       requestClaim();
     } else if (isVerified()) {
       writeClaimed();
@@ -233,11 +232,10 @@ public final class RobotSinkTask extends SinkTask {
       }
     }
     report(failed);
-    failed.keySet().forEach(claims()::settle);
     release();
   }
 
-  /** Puts records on the dead-letter topic, and waits until they are there. */
+  /** Puts records on the dead-letter topic, waits until they are there, and settles them. */
   private void report(Map<SinkRecord, Exception> letters) {
     if (dead == null) {
       throw new IllegalStateException("not started");
@@ -251,6 +249,7 @@ public final class RobotSinkTask extends SinkTask {
                 record.originalKafkaOffset(),
                 PrintableText.shortened(String.valueOf(why.getMessage()))));
     dead.put(letters);
+    letters.keySet().forEach(claims()::settle);
   }
 
   @Override

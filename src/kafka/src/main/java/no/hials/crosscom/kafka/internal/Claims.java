@@ -178,13 +178,19 @@ public final class Claims implements AutoCloseable {
     return partition != null && partition.isSettled(record.originalKafkaOffset());
   }
 
-  /** Returns whether another task may have written a record, unless it is settled. */
-  public boolean isUnknown(SinkRecord record) {
-    Partition partition = partitions.get(of(record));
-    return partition != null && record.originalKafkaOffset() < partition.unknown;
+  /**
+   * Returns held records that another task may have written: they must be reported, not written.
+   *
+   * @param most the maximum number
+   */
+  public List<SinkRecord> unknown(int most) {
+    return partitions.values().stream()
+        .flatMap(one -> one.held.stream().takeWhile(it -> it.originalKafkaOffset() < one.unknown))
+        .limit(most)
+        .toList();
   }
 
-  /** Holds a record until it is claimed and written. */
+  /** Holds a record until it is written or reported. */
   public void hold(SinkRecord record) {
     Partition partition = partitions.get(of(record));
     if (partition == null) {
@@ -193,7 +199,7 @@ public final class Claims implements AutoCloseable {
     partition.held.add(record);
   }
 
-  /** Returns whether no records wait for a claim or a write. */
+  /** Returns whether no records wait. */
   public boolean isEmpty() {
     return partitions.values().stream().allMatch(one -> one.held.isEmpty());
   }

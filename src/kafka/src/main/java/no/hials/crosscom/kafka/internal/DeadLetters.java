@@ -32,6 +32,13 @@ public final class DeadLetters implements AutoCloseable {
    */
   private static final int AT_ONCE = 10;
 
+  /**
+   * The most records that a task puts before it lets Connect go on: Connect takes a task that does
+   * not return for 5 minutes (max.poll.interval.ms) for dead, and a slow broker can need most of
+   * the patience for each {@value #AT_ONCE}.
+   */
+  public static final int MOST = 50;
+
   private final ErrantRecordReporter reporter;
   private final String topic;
   private final Duration patience;

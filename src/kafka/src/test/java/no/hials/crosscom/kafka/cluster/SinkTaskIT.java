@@ -309,4 +309,23 @@ class SinkTaskIT {
     assertThat(written("r2")).hasSize(500);
     assertThat(connect.deadLetters).isEmpty();
   }
+
+  @Test
+  void unknownRecordsAreReported50AtATimeAndNotAgainByTheNextTask() throws Exception {
+    SinkRecord[] records =
+        IntStream.range(0, 91).mapToObj(i -> record(i, "r2", i)).toArray(SinkRecord[]::new);
+    put(Arrays.copyOf(records, 90));
+    var unused = commit(); // the claim of a task that ends then
+    task.stop();
+    task = start();
+    position = connect.seeks.get(COMMANDS);
+    put(records);
+    assertThat(connect.deadLetters).hasSize(50);
+    replaceTask();
+    assertThat(position).isEqualTo(50);
+    put(Arrays.copyOfRange(records, 50, 91));
+    commitWhileRequested();
+    assertThat(connect.deadLetters).hasSize(90).doesNotHaveDuplicates();
+    assertThat(written("r2")).containsExactly("90");
+  }
 }

@@ -9,6 +9,8 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 import org.apache.kafka.clients.admin.Admin;
 import org.apache.kafka.clients.admin.AdminClientConfig;
@@ -87,14 +89,21 @@ class ClaimsTest {
 
   /** Returns how a task treats the records of partition one. */
   private static List<String> fates(Claims of, long from, long end) {
+    LongStream.range(from, end)
+        .mapToObj(ClaimsTest::record)
+        .filter(it -> !of.isSettled(it))
+        .forEach(of::hold);
+    Set<Long> unknown =
+        of.unknown(Integer.MAX_VALUE).stream()
+            .map(SinkRecord::originalKafkaOffset)
+            .collect(Collectors.toSet());
     return LongStream.range(from, end)
         .mapToObj(
-            offset -> {
-              SinkRecord record = record(offset);
-              String fate =
-                  of.isSettled(record) ? "settled" : of.isUnknown(record) ? "unknown" : "writes";
-              return offset + " " + fate;
-            })
+            offset ->
+                offset
+                    + (of.isSettled(record(offset))
+                        ? " settled"
+                        : unknown.contains(offset) ? " unknown" : " writes"))
         .toList();
   }
 
@@ -116,6 +125,19 @@ class ClaimsTest {
     Claims next = claims();
     assertThat(next.open(List.of(ONE), Map.of(ONE, left))).containsExactly(Map.entry(ONE, 0L));
     assertThat(fates(next, 0, 3)).containsExactly("0 unknown", "1 unknown", "2 writes");
+  }
+
+  @Test
+  void unknownRecordsThatWereReportedAreSettled() {
+    hold(0, 4);
+    claims.claim();
+    Claims next = claims(committed(4));
+    LongStream.range(0, 5).forEach(offset -> next.hold(record(offset)));
+    next.unknown(3).forEach(next::settle);
+    OffsetAndMetadata left = offsets(next, 5).get(ONE);
+    Claims last = claims();
+    assertThat(last.open(List.of(ONE), Map.of(ONE, left))).containsExactly(Map.entry(ONE, 3L));
+    assertThat(fates(last, 3, 5)).containsExactly("3 unknown", "4 writes");
   }
 
   @Test
@@ -157,10 +179,10 @@ class ClaimsTest {
     OffsetAndMetadata left = committed(6);
     Claims next = claims(left);
     // nothing has come, the first record, two records
-    assertThat(fates(claims(offsets(next, 0).get(ONE)), 0, 6)).isEqualTo(fates(next, 0, 6));
+    assertThat(fates(claims(offsets(next, 0).get(ONE)), 0, 6)).isEqualTo(fates(claims(left), 0, 6));
     next.hold(record(0));
-    assertThat(fates(claims(offsets(next, 1).get(ONE)), 0, 6)).isEqualTo(fates(next, 0, 6));
-    assertThat(fates(claims(offsets(next, 2).get(ONE)), 0, 6)).isEqualTo(fates(next, 0, 6));
+    assertThat(fates(claims(offsets(next, 1).get(ONE)), 0, 6)).isEqualTo(fates(claims(left), 0, 6));
+    assertThat(fates(claims(offsets(next, 2).get(ONE)), 0, 6)).isEqualTo(fates(claims(left), 0, 6));
     next.claim();
     next.settle(record(0));
     next.release();

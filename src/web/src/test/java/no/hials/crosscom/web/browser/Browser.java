@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.logging.Level;
 import javax.imageio.ImageIO;
@@ -36,6 +37,8 @@ public final class Browser implements AutoCloseable {
 
   private final ChromeDriver driver;
   private final List<Map<String, Object>> fingers = new ArrayList<>();
+  private Map<String, Object> place = Map.of();
+  private int mouseButtons;
 
   /** A size of the window, in CSS pixels. */
   public enum Size {
@@ -52,6 +55,18 @@ public final class Browser implements AutoCloseable {
       this.width = width;
       this.height = height;
       this.touch = touch;
+    }
+  }
+
+  /** A button of the mouse. */
+  public enum MouseButton {
+    LEFT(1),
+    MIDDLE(4);
+
+    private final int bit;
+
+    MouseButton(int bit) {
+      this.bit = bit;
     }
   }
 
@@ -100,9 +115,14 @@ public final class Browser implements AutoCloseable {
     }
   }
 
-  /** Lifts all fingers, closes the page, and forgets what was logged and all cookies. */
+  /** Releases everything, closes the page, and forgets what was logged and all cookies. */
   void reset() {
     lift();
+    for (MouseButton button : MouseButton.values()) {
+      if ((mouseButtons & button.bit) != 0) {
+        release(button);
+      }
+    }
     driver.get("about:blank");
     forgetCookies();
     size(Size.DESKTOP);
@@ -158,21 +178,24 @@ public final class Browser implements AutoCloseable {
 
   /** Puts another finger on the middle of the first element that a CSS selector matches. */
   public void touch(String selector) {
-    find(selector);
-    @SuppressWarnings("unchecked")
-    Map<String, Object> middle =
-        (Map<String, Object>)
-            run(
-                """
-                const element = document.querySelector(arguments[0]);
-                element.scrollIntoView({ block: 'center' });
-                const box = element.getBoundingClientRect();
-                return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-                """,
-                selector);
+    Map<String, Object> middle = middle(selector);
     fingers.add(Map.of("x", middle.get("x"), "y", middle.get("y"), "id", fingers.size()));
     driver.executeCdpCommand(
         "Input.dispatchTouchEvent", Map.of("type", "touchStart", "touchPoints", fingers));
+  }
+
+  @SuppressWarnings("unchecked")
+  private Map<String, Object> middle(String selector) {
+    find(selector);
+    return (Map<String, Object>)
+        run(
+            """
+            const element = document.querySelector(arguments[0]);
+            element.scrollIntoView({ block: 'center' });
+            const box = element.getBoundingClientRect();
+            return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+            """,
+            selector);
   }
 
   /** Lifts all fingers. */
@@ -182,6 +205,37 @@ public final class Browser implements AutoCloseable {
       driver.executeCdpCommand(
           "Input.dispatchTouchEvent", Map.of("type", "touchEnd", "touchPoints", List.of()));
     }
+  }
+
+  /** Presses a button of the mouse on the middle of the first element of a CSS selector. */
+  public void press(MouseButton button, String selector) {
+    place = middle(selector);
+    mouseButtons |= button.bit;
+    mouse("mousePressed", button);
+  }
+
+  /** Releases a button of the mouse. */
+  public void release(MouseButton button) {
+    mouseButtons &= ~button.bit;
+    mouse("mouseReleased", button);
+  }
+
+  private void mouse(String type, MouseButton button) {
+    driver.executeCdpCommand(
+        "Input.dispatchMouseEvent",
+        Map.of(
+            "type",
+            type,
+            "x",
+            place.get("x"),
+            "y",
+            place.get("y"),
+            "button",
+            button.name().toLowerCase(Locale.ROOT),
+            "buttons",
+            mouseButtons,
+            "clickCount",
+            1));
   }
 
   /** Waits for the element of a CSS selector and returns it. */

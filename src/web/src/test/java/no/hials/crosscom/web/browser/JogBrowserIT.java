@@ -68,16 +68,20 @@ class JogBrowserIT {
     return stands;
   }
 
-  /** Holds the button; again, if this computer has paused for 150 ms, which ends a hold. */
   private static void holdUntilItMoves(Browser browser) {
+    holdUntilItMoves(browser, () -> browser.touch(PLUS), browser::lift);
+  }
+
+  /** Holds the button; again, if this computer has paused for 150 ms, which ends a hold. */
+  private static void holdUntilItMoves(Browser browser, Runnable press, Runnable release) {
     for (int i = 0; i < 10; i++) {
-      browser.touch(PLUS);
+      press.run();
       browser.run("window.touched = performance.now()");
       browser.await(MOVING + " || performance.now() > window.touched + 2000");
       if (Boolean.TRUE.equals(browser.run("return !!" + MOVING))) {
         return;
       }
-      browser.lift();
+      release.run();
     }
     throw new AssertionError("the robot does not move");
   }
@@ -127,6 +131,35 @@ class JogBrowserIT {
     assertThat(stands()).isTrue();
     assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
     browser.lift();
+  }
+
+  @Test
+  void theLeftMouseButtonEndsTheHoldWhileTheMiddleOneIsDown(Browser browser) {
+    open(browser, Browser.Size.DESKTOP);
+    holdUntilItMoves(
+        browser,
+        () -> browser.press(Browser.MouseButton.LEFT, PLUS),
+        () -> browser.release(Browser.MouseButton.LEFT));
+    browser.press(Browser.MouseButton.MIDDLE, PLUS);
+
+    browser.release(Browser.MouseButton.LEFT);
+
+    browser.await(STANDING);
+    assertThat(stands()).isTrue();
+    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+  }
+
+  @Test
+  void aMouseOverTheButtonDoesNotEndTheHoldOfAKey(Browser browser) {
+    open(browser, Browser.Size.DESKTOP);
+    holdByKey(browser);
+
+    browser.run(
+        "document.querySelector(arguments[0]).dispatchEvent("
+            + "new PointerEvent('pointermove', { pointerType: 'mouse', bubbles: true }));",
+        PLUS);
+
+    browser.await("document.querySelector('.hold.held')");
   }
 
   /** Presses Space on the button; the release of the key is never seen by the page. */

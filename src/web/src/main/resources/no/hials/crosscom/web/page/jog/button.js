@@ -6,15 +6,17 @@ import { held, press, release } from './hold.js';
 
 const KEYS = [' ', 'Enter'];
 
+const device = (event) => event.pointerType || 'mouse';
+
 export function JogButton({ name, direction, positive, percent, step, disabled }) {
   const isOurs = (one) => one.fields.direction === direction && one.fields.positive === positive;
   const own = held().find(isOurs);
   const begin = (source) => press(source, { direction, positive, percent, step });
-  const end = () => held().some(isOurs) && release(direction);
+  const source = () => held().find(isOurs)?.source; // `own` is that of the last rendering
+  const end = () => source() && release(direction);
   // a second finger on another button takes the focus, and the first one still holds
   const blur = (event) => {
-    const byKey = held().find(isOurs)?.source === 'key'; // `own` is that of the last rendering
-    if (byKey || !event.relatedTarget?.matches('.hold')) {
+    if (source() === 'key' || !event.relatedTarget?.matches('.hold')) {
       end();
     }
   };
@@ -29,8 +31,14 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
       event.preventDefault();
       event.currentTarget.setPointerCapture(event.pointerId);
       // before the focus ends the hold of a key: of + and - of one direction, both must end
-      begin(event.pointerType || 'mouse');
+      begin(device(event));
       event.currentTarget.focus();
+    }
+  };
+  // while another button of the mouse is down, a release of the left one is only a move
+  const move = (event) => {
+    if (!(event.buttons & 1) && source() === device(event)) {
+      end();
     }
   };
   const keyDown = (event) => {
@@ -56,6 +64,7 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
       'aria-pressed': String(Boolean(own)),
       'aria-disabled': String(disabled),
       onPointerDown: down,
+      onPointerMove: move,
       onPointerUp: end,
       onPointerCancel: end,
       onLostPointerCapture: end,

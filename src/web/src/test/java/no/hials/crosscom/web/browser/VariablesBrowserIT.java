@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
 import org.junit.jupiter.api.AfterEach;
@@ -101,5 +102,33 @@ class VariablesBrowserIT {
     browser.await("!document.querySelector('dialog')");
 
     assertThat(pages.controller().variables().get("TXT[]")).isEqualTo("\"abc\"");
+  }
+
+  @Test
+  void aSlowReadingKeepsWhatIsTypedMeanwhile(Browser browser) throws Exception {
+    pages.controller().variables().set("MYINT", "100");
+    Path file = Files.writeString(folder.resolve("int.txt"), "MYINT\n");
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=variables#/variables"));
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock[aria-pressed=true]')");
+    browser.find(".lists input[type=file]").sendKeys(file.toString());
+    browser.await("document.querySelector('[aria-label=\"Change MYINT\"]:not(:disabled)')");
+    CountDownLatch released = new CountDownLatch(1);
+    try {
+      pages.hold("MYINT", released).await();
+
+      browser.click("[aria-label=\"Change MYINT\"]");
+      browser.find("dialog input").sendKeys("2");
+    } finally {
+      released.countDown();
+    }
+    browser.await("document.querySelector('dialog button.main:not(:disabled)')");
+    browser.press("5");
+    browser.click("dialog button.main");
+
+    browser.await("document.querySelector('dialog .new')");
+    assertThat(browser.text("dialog dd.variable")).isEqualTo("100");
+    assertThat(browser.text("dialog .new")).isEqualTo("25");
   }
 }

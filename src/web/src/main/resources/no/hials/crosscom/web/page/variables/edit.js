@@ -29,7 +29,7 @@ const UNREADABLE = 'unreadable';
 export function Edit({ name, onClose }) {
   const robot = useRobot();
   const [before, setBefore] = useState(null);
-  const [value, setValue] = useState('');
+  const [value, setValue] = useState(null); // until the first reading, or the first key
   const [known, setKnown] = useState({ constants: [] });
   const [asked, setAsked] = useState(false);
   const [unread, setUnread] = useState('');
@@ -50,7 +50,7 @@ export function Edit({ name, onClose }) {
         return null;
       });
   useEffect(() => {
-    read().then((text) => text !== null && setValue(text));
+    read().then((text) => setValue((typed) => typed ?? text));
     call('describe', { robot, name })
       .then((answer) => setKnown({ constants: [], ...answer }))
       .catch(() => {});
@@ -104,7 +104,7 @@ export function Edit({ name, onClose }) {
               'New value, as KRL',
               h('input', {
                 ref: field,
-                value,
+                value: value ?? '',
                 list: 'constants',
                 spellcheck: false,
                 autocomplete: 'off',
@@ -131,7 +131,7 @@ export function Edit({ name, onClose }) {
             key: asked ? 'write' : 'continue',
             class: 'main',
             'aria-disabled': busy, // a disabled button would lose the focus
-            disabled: before === null || value.trim() === '',
+            disabled: before === null || !value?.trim(),
           },
           asked ? 'Write' : 'Continue',
         ),

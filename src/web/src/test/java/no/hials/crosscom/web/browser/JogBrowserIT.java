@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.net.URI;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import no.hials.crosscom.protocol.ServerType;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.TestPages;
@@ -21,6 +22,9 @@ class JogBrowserIT {
   private static final String PLUS = "[aria-label='Hold to move X plus']";
   private static final String MOVING = "document.querySelector('.jog .state.moving')";
   private static final String STANDING = "document.querySelector('.jog .state.ready')";
+
+  /** Returns the number of buttons that are held. */
+  private static final String HELD = "return document.querySelectorAll('.hold.held').length";
 
   /** Less than the 500 ms after which the watchdog stops the robot. */
   private static final Duration BEFORE_WATCHDOG = Duration.ofMillis(300);
@@ -129,7 +133,7 @@ class JogBrowserIT {
 
     browser.await(STANDING);
     assertThat(stands()).isTrue();
-    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    assertThat(browser.run(HELD)).isEqualTo(0L);
     browser.lift();
   }
 
@@ -146,7 +150,7 @@ class JogBrowserIT {
 
     browser.await(STANDING);
     assertThat(stands()).isTrue();
-    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    assertThat(browser.run(HELD)).isEqualTo(0L);
   }
 
   @Test
@@ -164,11 +168,32 @@ class JogBrowserIT {
 
   /** Presses Space on the button; the release of the key is never seen by the page. */
   private static void holdByKey(Browser browser) {
+    pressKey(browser, "{ key: ' ' }");
+  }
+
+  private static void pressKey(Browser browser, String key) {
     browser.run(
         "const button = document.querySelector(arguments[0]);"
             + "button.focus();"
-            + "button.dispatchEvent(new KeyboardEvent('keydown', { key: ' ', bubbles: true }));",
+            + ("button.dispatchEvent(new KeyboardEvent('keydown', " + key + "));"),
         PLUS);
+  }
+
+  @Test
+  void aKeyDoesNotHoldWithControlAltOrCommand(Browser browser) {
+    open(browser, Browser.Size.DESKTOP);
+
+    for (String modifier : List.of("ctrlKey", "altKey", "metaKey")) {
+      pressKey(browser, "{ key: ' ', " + modifier + ": true }");
+      assertThat(browser.run(HELD)).isEqualTo(0L);
+    }
+    holdByKey(browser);
+    browser.await(MOVING);
+    pressKey(browser, "{ key: 'Meta', metaKey: true }");
+
+    browser.await(STANDING);
+    assertThat(browser.run(HELD)).isEqualTo(0L);
+    assertThat(stands()).isTrue();
   }
 
   @Test
@@ -181,7 +206,7 @@ class JogBrowserIT {
 
     browser.await(STANDING);
     assertThat(stands()).isTrue();
-    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    assertThat(browser.run(HELD)).isEqualTo(0L);
     browser.lift();
   }
 
@@ -257,7 +282,7 @@ class JogBrowserIT {
         PLUS);
     browser.await("window.later");
 
-    assertThat(browser.run("return document.querySelectorAll('.hold.held').length")).isEqualTo(0L);
+    assertThat(browser.run(HELD)).isEqualTo(0L);
     assertThat(stands()).isTrue();
   }
 

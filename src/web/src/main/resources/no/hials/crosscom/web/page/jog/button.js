@@ -42,7 +42,12 @@ export function JogButton({ name, direction, positive, percent, step, disabled }
     }
   };
   const keyDown = (event) => {
-    if (KEYS.includes(event.key)) {
+    if (event.ctrlKey || event.metaKey || event.altKey) {
+      // macOS tells no release of another key while Cmd is down
+      if (source() === 'key') {
+        end();
+      }
+    } else if (KEYS.includes(event.key)) {
       event.preventDefault();
       if (!event.repeat && !disabled) {
         begin('key');

@@ -150,6 +150,15 @@ class SocketTest {
   }
 
   @Test
+  void aLockWithoutItsNewStateLeavesTheRobotLocked() throws Exception {
+    try (TestSocket socket = pages.open(Role.OPERATE)) {
+      assertThat(socket.call("lock", "robot", "'mock'").path("error").asText())
+          .isEqualTo("locked must be true or false");
+      assertThat(write(socket, "50").path("error").asText()).endsWith("the robot is locked");
+    }
+  }
+
+  @Test
   void readOnlyWinsOverAllRoles() throws Exception {
     try (TestPages own = TestPages.start(ServerType.C3_BRIDGE, folder, cfg -> cfg.readOnly(true));
         TestSocket socket = own.open(Role.JOG)) {

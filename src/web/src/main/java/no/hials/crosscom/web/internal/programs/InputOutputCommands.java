@@ -75,7 +75,7 @@ public final class InputOutputCommands {
    */
   private void setInput(Call call) throws IOException {
     RobotSession robot = robots.of(call);
-    boolean analog = call.flag("analog");
+    boolean analog = call.optionalFlag("analog");
     String array = analog ? "$ANIN" : "$IN";
     int number = (int) call.number("number", 1, length(names.apply(robot), array));
     String name = array + "[" + number + "]";

@@ -149,7 +149,7 @@ public final class PageProgramCommands {
     RobotSession robot = robots.of(call);
     String path = target(call);
     byte[] content = content(call);
-    boolean overwrite = call.flag("overwrite");
+    boolean overwrite = call.optionalFlag("overwrite");
     changes.make(
         call,
         robot,

@@ -78,7 +78,7 @@ public final class Lock {
     if (!refusal.isEmpty()) {
       throw new CommandException("did not " + what + ": " + refusal);
     }
-    if (!call.flag("confirmed")) {
+    if (!call.optionalFlag("confirmed")) {
       throw new CommandException("did not " + what + ": not confirmed");
     }
   }

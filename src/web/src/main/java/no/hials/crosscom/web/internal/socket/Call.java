@@ -138,12 +138,17 @@ public record Call(Viewer viewer, JsonNode message) {
     return number == Math.rint(number) ? Long.toString((long) number) : Double.toString(number);
   }
 
-  /** Returns whether a field is true; false if the message does not have it. */
+  /** Returns whether a field is true. */
   public boolean flag(String field) throws CommandException {
     JsonNode flag = message.get(field);
-    if (flag != null && !flag.isBoolean()) {
+    if (flag == null || !flag.isBoolean()) {
       throw new CommandException(field + " must be true or false");
     }
-    return flag != null && flag.booleanValue();
+    return flag.booleanValue();
+  }
+
+  /** Returns whether a field is true; false if the message does not have it. */
+  public boolean optionalFlag(String field) throws CommandException {
+    return message.has(field) && flag(field);
   }
 }

@@ -156,19 +156,33 @@ class JogBrowserIT {
   @Test
   void aMouseOverTheButtonDoesNotEndTheHoldOfAKey(Browser browser) {
     open(browser, Browser.Size.DESKTOP);
-    holdByKey(browser);
+    browser.run(
+        "window.sent = [];"
+            + "const send = WebSocket.prototype.send;"
+            + "WebSocket.prototype.send ="
+            + " function (message) { window.sent.push(message); send.call(this, message); }");
 
     browser.run(
-        "document.querySelector(arguments[0]).dispatchEvent("
-            + "new PointerEvent('pointermove', { pointerType: 'mouse', bubbles: true }));",
+        "const button = document.querySelector(arguments[0]);"
+            + "button.focus();"
+            + "button.dispatchEvent(new KeyboardEvent('keydown', { key: ' ' }));"
+            + "button.dispatchEvent(new PointerEvent('pointermove', { pointerType: 'mouse' }));"
+            + "window.then = window.sent.join();",
         PLUS);
 
-    browser.await("document.querySelector('.hold.held')");
+    assertThat(browser.run("return window.then"))
+        .asString()
+        .contains("jog-press")
+        .doesNotContain("jog-release");
   }
 
   /** Presses Space on the button; the release of the key is never seen by the page. */
   private static void holdByKey(Browser browser) {
     pressKey(browser, "{ key: ' ' }");
+  }
+
+  private static void holdByKeyUntilItMoves(Browser browser) {
+    holdUntilItMoves(browser, () -> holdByKey(browser), () -> {});
   }
 
   private static void pressKey(Browser browser, String key) {
@@ -187,8 +201,7 @@ class JogBrowserIT {
       pressKey(browser, "{ key: ' ', " + modifier + ": true }");
       assertThat(browser.run(HELD)).isEqualTo(0L);
     }
-    holdByKey(browser);
-    browser.await(MOVING);
+    holdByKeyUntilItMoves(browser);
     pressKey(browser, "{ key: 'Meta', metaKey: true }");
 
     browser.await(STANDING);
@@ -199,8 +212,7 @@ class JogBrowserIT {
   @Test
   void aKeyAndAFingerOnBothButtonsOfADirectionEndIt(Browser browser) {
     open(browser, Browser.Size.SMALL_PHONE);
-    holdByKey(browser);
-    browser.await(MOVING);
+    holdByKeyUntilItMoves(browser);
 
     browser.touch("[aria-label='Hold to move X minus']");
 
@@ -289,8 +301,7 @@ class JogBrowserIT {
   @Test
   void aKeyMovesTheRobotUntilTheNextButton(Browser browser) {
     open(browser, Browser.Size.DESKTOP);
-    holdByKey(browser);
-    browser.await(MOVING);
+    holdByKeyUntilItMoves(browser);
 
     browser.press(Keys.TAB); // the release of the key is not seen by the button
 

@@ -1,5 +1,7 @@
 package no.hials.crosscom.kafka;
 
+import static java.util.Objects.requireNonNull;
+
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
@@ -51,6 +53,12 @@ public final class RobotSinkTask extends SinkTask {
   private static final Duration FIRST_PATIENCE = Duration.ofSeconds(30);
   private static final Duration REPORT_PATIENCE = Duration.ofSeconds(30);
 
+  /**
+   * The time after which Connect can go on: it takes a task for dead that is not back for 5 min.
+   */
+  private static final Duration LONGEST_REPORT = Duration.ofSeconds(30);
+
+  private final Duration longestReport;
   private @Nullable CommandWriter writer;
   private @Nullable Claims claims;
   private @Nullable DeadLetters dead;
@@ -61,11 +69,20 @@ public final class RobotSinkTask extends SinkTask {
   /** Whether a commit that the task did not ask for gives up a claim that is not used yet. */
   private boolean cautious = true;
 
-  /** Whether claimed records may have been tried; stays so if that fails. */
+  /** Whether claimed records may have been tried; stays so until the failures are reported. */
   private boolean writing;
 
+  /** The failures of the batch that are not reported yet. */
+  private final Map<SinkRecord, Exception> failed = new LinkedHashMap<>();
+
   /** Creates a task that Connect starts. */
-  public RobotSinkTask() {}
+  public RobotSinkTask() {
+    this(LONGEST_REPORT);
+  }
+
+  RobotSinkTask(Duration longestReport) {
+    this.longestReport = longestReport;
+  }
 
   /** The outcome of a write is unknown, because the task that claimed it ended in between. */
   private static final class UnknownOutcomeException extends ConnectException {
@@ -130,6 +147,12 @@ public final class RobotSinkTask extends SinkTask {
 
   @Override
   public void close(Collection<TopicPartition> partitions) {
+    failed
+        .keySet()
+        .removeIf(
+            record ->
+                partitions.contains(
+                    new TopicPartition(record.originalTopic(), record.originalKafkaPartition())));
     long left = claims().close(partitions);
     if (left > 0) {
       LOG.warn("{} claimed records were not written: they will be reported as unknown", left);
@@ -145,10 +168,10 @@ public final class RobotSinkTask extends SinkTask {
       }
     }
     Map<SinkRecord, Exception> unknown = new LinkedHashMap<>();
-    claims()
-        .unknown(DeadLetters.MOST)
-        .forEach(record -> unknown.put(record, new UnknownOutcomeException()));
-    if (!unknown.isEmpty()) {
+    claims().unknown().forEach(record -> unknown.put(record, new UnknownOutcomeException()));
+    if (writing) {
+      finishBatch();
+    } else if (!unknown.isEmpty()) {
       report(unknown);
       requestCommit();
     } else if (!claims().isEmpty() && !writer().isCurrent()) {
@@ -219,7 +242,6 @@ public final class RobotSinkTask extends SinkTask {
     writing = true;
     List<SinkRecord> claimed = claims().claimed();
     Map<SinkRecord, Optional<Exception>> outcomes = writer().write(claimed);
-    Map<SinkRecord, Exception> failed = new LinkedHashMap<>();
     for (SinkRecord record : claimed) {
       Optional<Exception> outcome = outcomes.get(record);
       if (outcome == null) {
@@ -231,25 +253,32 @@ public final class RobotSinkTask extends SinkTask {
         claims().settle(record);
       }
     }
-    report(failed);
-    release();
+    finishBatch();
   }
 
-  /** Puts records on the dead-letter topic, waits until they are there, and settles them. */
+  /** Reports the failures of the batch, and releases the records that were not tried. */
+  private void finishBatch() {
+    report(failed);
+    if (failed.isEmpty()) {
+      release();
+    }
+  }
+
+  /** Puts records on the dead-letter topic for some time, and removes those that are there. */
   private void report(Map<SinkRecord, Exception> letters) {
     if (dead == null) {
       throw new IllegalStateException("not started");
     }
-    letters.forEach(
-        (record, why) ->
-            LOG.warn(
-                "{}-{}@{}: {}",
-                record.originalTopic(),
-                record.originalKafkaPartition(),
-                record.originalKafkaOffset(),
-                PrintableText.shortened(String.valueOf(why.getMessage()))));
-    dead.put(letters);
-    letters.keySet().forEach(claims()::settle);
+    for (SinkRecord record : dead.put(letters, longestReport)) {
+      claims().settle(record);
+      Exception why = requireNonNull(letters.remove(record));
+      LOG.warn(
+          "{}-{}@{}: {}",
+          record.originalTopic(),
+          record.originalKafkaPartition(),
+          record.originalKafkaOffset(),
+          PrintableText.shortened(String.valueOf(why.getMessage())));
+    }
   }
 
   @Override

@@ -178,15 +178,10 @@ public final class Claims implements AutoCloseable {
     return partition != null && partition.isSettled(record.originalKafkaOffset());
   }
 
-  /**
-   * Returns held records that another task may have written: they must be reported, not written.
-   *
-   * @param most the maximum number
-   */
-  public List<SinkRecord> unknown(int most) {
+  /** Returns held records that another task may have written: they are reported, not written. */
+  public List<SinkRecord> unknown() {
     return partitions.values().stream()
         .flatMap(one -> one.held.stream().takeWhile(it -> it.originalKafkaOffset() < one.unknown))
-        .limit(most)
         .toList();
   }
 
@@ -248,7 +243,8 @@ public final class Claims implements AutoCloseable {
   private OffsetAndMetadata offset(Partition partition, long position) {
     long from = partition.first(position);
     // unknown outcomes stay claimed until reported: Connect commits all partitions together
-    long to = partition.hasClaimed() ? partition.claimed : Math.max(from, partition.unknown);
+    long claimed = partition.hasClaimed() ? partition.claimed : from;
+    long to = Math.max(claimed, partition.unknown);
     Claim claim = new Claim(id(), from, to, partition.settled(position)).fitting();
     return new OffsetAndMetadata(Math.min(claim.to(), position), claim.print());
   }

@@ -4,17 +4,16 @@ import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.CrossComAccessException;
@@ -84,62 +83,33 @@ public final class CommandWriter implements AutoCloseable {
     this.millis = millis;
   }
 
-  /** The outcomes of a batch, and its limits. Thread-safe. */
-  private static final class Batch {
-    private final Map<SinkRecord, Optional<Exception>> outcomes = new ConcurrentHashMap<>();
-    private final AtomicInteger failures = new AtomicInteger();
-    private final long end;
-
-    Batch(Duration limit) {
-      end = System.nanoTime() + limit.toNanos();
-    }
-
-    void add(SinkRecord record, @Nullable Exception failure) {
-      outcomes.put(record, Optional.ofNullable(failure));
-      if (failure != null) {
-        failures.incrementAndGet();
-      }
-    }
-
-    /** Returns whether the records that fail from now on have to wait for the next batch. */
-    boolean isFull() {
-      return failures.get() >= DeadLetters.MOST;
-    }
-
-    boolean isLate() {
-      return System.nanoTime() - end >= 0;
-    }
-  }
-
   /**
    * Writes records as one batch, while the lease is held and the plant is that of the file. After
-   * the time limit no further record is sent, except the first one of each robot. After {@value
-   * DeadLetters#MOST} failures a robot that has one of them has to wait for the next batch.
+   * the time limit no further record is sent, except the first one of each robot.
    *
    * @return the result of each finished record: empty if it was written, otherwise the reason why
    *     not. A record without a result was not sent
    * @throws ConnectException if the outcome of the records is unknown
    */
   public Map<SinkRecord, Optional<Exception>> write(Collection<SinkRecord> records) {
-    Batch batch = new Batch(limit);
+    long end = System.nanoTime() + limit.toNanos();
+    Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
     Map<String, Map<SinkRecord, SinkCommand>> robots = new LinkedHashMap<>();
     for (SinkRecord record : records) {
       try {
         SinkCommand command = SinkCommand.of(record);
         robots.computeIfAbsent(command.robot(), name -> new LinkedHashMap<>()).put(record, command);
       } catch (DataException e) {
-        if (!batch.isFull()) {
-          batch.add(record, e);
-        }
+        outcomes.put(record, Optional.of(e));
       }
     }
-    List<Future<?>> writers = new ArrayList<>();
+    List<Future<Map<SinkRecord, Optional<Exception>>>> writers = new ArrayList<>();
     robots.forEach(
-        (name, commands) -> writers.add(threads.submit(() -> write(name, commands, batch))));
+        (name, commands) -> writers.add(threads.submit(() -> write(name, commands, end))));
     ConnectException failure = null;
-    for (Future<?> writer : writers) {
+    for (Future<Map<SinkRecord, Optional<Exception>>> writer : writers) {
       try {
-        writer.get();
+        outcomes.putAll(writer.get());
       } catch (ExecutionException e) {
         failure = new ConnectException(e.getCause());
       } catch (InterruptedException e) {
@@ -150,7 +120,7 @@ public final class CommandWriter implements AutoCloseable {
     if (failure != null) {
       throw failure;
     }
-    return batch.outcomes;
+    return outcomes;
   }
 
   /** Returns whether the plant is that of the file: otherwise no record is written. */
@@ -158,10 +128,11 @@ public final class CommandWriter implements AutoCloseable {
     return plant.isCurrent();
   }
 
-  private void write(String name, Map<SinkRecord, SinkCommand> commands, Batch batch) {
+  private Map<SinkRecord, Optional<Exception>> write(
+      String name, Map<SinkRecord, SinkCommand> commands, long end) {
+    Map<SinkRecord, Optional<Exception>> outcomes = new HashMap<>();
     RobotFeed robot = null;
     boolean tried = false;
-    boolean failed = false;
     boolean late = false;
     boolean silent = false;
     AtomicBoolean refused = new AtomicBoolean();
@@ -174,14 +145,13 @@ public final class CommandWriter implements AutoCloseable {
         };
     try {
       for (Map.Entry<SinkRecord, SinkCommand> one : commands.entrySet()) {
-        if ((failed && batch.isFull()) || (!silent && !late && !mayWrite())) {
+        if (!silent && !late && !mayWrite()) {
           break;
         }
         SinkRecord record = one.getKey();
-        Exception failure = null;
         try {
           check(name, silent, record);
-          late |= tried && batch.isLate();
+          late |= tried && System.nanoTime() - end >= 0;
           if (late) {
             continue;
           }
@@ -196,27 +166,27 @@ public final class CommandWriter implements AutoCloseable {
               one.getValue().variable(),
               one.getValue().value(),
               maxAge.minusMillis(age(record))); // it can have waited for the connection
+          outcomes.put(record, Optional.empty());
         } catch (CrossComConnectException e) {
           // the lease ended or the file changed meanwhile: the robot may not be silent at all
           if (refused.get()) {
             break; // nothing was sent
           }
           silent = true;
-          failure = e;
+          outcomes.put(record, Optional.of(e));
         } catch (IOException | IllegalArgumentException | DataException e) {
           silent |= isWithoutAnswer(e);
-          failure = reason(e);
+          outcomes.put(record, Optional.of(reason(e)));
         } catch (RuntimeException e) {
           // a fault of this program: the outcomes of other records stay known
           LOG.error("{}: the outcome is unknown", who(record), e);
-          failure = new ConnectException("outcome unknown: " + e, e);
+          outcomes.put(record, Optional.of(new ConnectException("outcome unknown: " + e, e)));
         }
-        batch.add(record, failure);
-        failed |= failure != null;
       }
     } finally {
       close(robot);
     }
+    return outcomes;
   }
 
   private boolean mayWrite() {

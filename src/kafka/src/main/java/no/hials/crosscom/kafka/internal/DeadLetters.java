@@ -32,13 +32,6 @@ public final class DeadLetters implements AutoCloseable {
    */
   private static final int AT_ONCE = 10;
 
-  /**
-   * The most records that a task puts before it lets Connect go on: Connect takes a task that does
-   * not return for 5 minutes (max.poll.interval.ms) for dead, and a slow broker can need most of
-   * the patience for each {@value #AT_ONCE}.
-   */
-  public static final int MOST = 50;
-
   private final ErrantRecordReporter reporter;
   private final String topic;
   private final Duration patience;
@@ -67,17 +60,24 @@ public final class DeadLetters implements AutoCloseable {
   /**
    * Puts records on the topic with their reasons, and waits until they are there.
    *
+   * @param longest the time after which no more records are put, except the first 10
+   * @return the records that are there, which are the first ones
    * @throws ConnectException if that is not certain
    */
-  public void put(Map<SinkRecord, Exception> letters) {
+  public List<SinkRecord> put(Map<SinkRecord, Exception> letters, Duration longest) {
+    long end = System.nanoTime() + longest.toNanos();
     List<SinkRecord> records = List.copyOf(letters.keySet());
-    for (int i = 0; i < records.size(); i += AT_ONCE) {
+    int number = 0;
+    while (number < records.size() && (number == 0 || System.nanoTime() - end < 0)) {
       Map<SinkRecord, Exception> next = new LinkedHashMap<>();
-      for (SinkRecord record : records.subList(i, Math.min(records.size(), i + AT_ONCE))) {
+      for (SinkRecord record :
+          records.subList(number, Math.min(records.size(), number + AT_ONCE))) {
         next.put(record, brief(Objects.requireNonNull(letters.get(record))));
       }
       putAtOnce(next);
+      number += next.size();
     }
+    return records.subList(0, number);
   }
 
   private void putAtOnce(Map<SinkRecord, Exception> letters) {

@@ -16,6 +16,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import no.hials.crosscom.kafka.RobotSinkTask;
+import no.hials.crosscom.kafka.SinkTasks;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import org.apache.kafka.clients.admin.Admin;
@@ -139,7 +140,10 @@ class SinkTaskIT {
   }
 
   private RobotSinkTask start() throws Exception {
-    RobotSinkTask started = new RobotSinkTask();
+    return start(new RobotSinkTask());
+  }
+
+  private RobotSinkTask start(RobotSinkTask started) throws Exception {
     started.initialize(connect);
     started.start(
         Map.of(
@@ -311,21 +315,62 @@ class SinkTaskIT {
   }
 
   @Test
-  void unknownRecordsAreReported50AtATimeAndNotAgainByTheNextTask() throws Exception {
+  void manyUnknownRecordsAreReportedInStepsAndNotAgainByTheNextTask() throws Exception {
     SinkRecord[] records =
-        IntStream.range(0, 91).mapToObj(i -> record(i, "r2", i)).toArray(SinkRecord[]::new);
-    put(Arrays.copyOf(records, 90));
+        IntStream.range(0, 26).mapToObj(i -> record(i, "r2", i)).toArray(SinkRecord[]::new);
+    put(Arrays.copyOf(records, 25));
     var unused = commit(); // the claim of a task that ends then
     task.stop();
-    task = start();
+    task = start(SinkTasks.reportingLittle());
     position = connect.seeks.get(COMMANDS);
     put(records);
-    assertThat(connect.deadLetters).hasSize(50);
+    assertThat(connect.deadLetters).hasSize(10);
     replaceTask();
-    assertThat(position).isEqualTo(50);
-    put(Arrays.copyOfRange(records, 50, 91));
+    assertThat(position).isEqualTo(10);
+    put(Arrays.copyOfRange(records, 10, 26));
     commitWhileRequested();
-    assertThat(connect.deadLetters).hasSize(90).doesNotHaveDuplicates();
-    assertThat(written("r2")).containsExactly("90");
+    assertThat(connect.deadLetters).hasSize(25).doesNotHaveDuplicates();
+    assertThat(written("r2")).containsExactly("25");
+  }
+
+  @Test
+  void theFailuresOfABatchAreReportedInSteps() throws Exception {
+    task.stop();
+    task = start(SinkTasks.reportingLittle());
+    SinkRecord[] records =
+        IntStream.range(0, 26)
+            .mapToObj(i -> record(i, "r2", i < 25 ? 2000 + i : i))
+            .toArray(SinkRecord[]::new);
+    put(records);
+    var unused = commit();
+    put();
+    assertThat(written("r2")).containsExactly("25");
+    assertThat(connect.deadLetters).hasSize(10);
+    put();
+    unused = commit(); // as Connect does at any time
+    put();
+    assertThat(connect.deadLetters).hasSize(25).doesNotHaveDuplicates();
+    commitWhileRequested();
+    assertThat(commit()).isEqualTo(26);
+    assertThat(written("r2")).containsExactly("25");
+  }
+
+  @Test
+  void failuresThatWereNotReportedYetAreUnknownToTheNextTask() throws Exception {
+    task.stop();
+    task = start(SinkTasks.reportingLittle());
+    put(IntStream.range(0, 25).mapToObj(i -> record(i, "r2", 2000 + i)).toArray(SinkRecord[]::new));
+    var unused = commit();
+    put();
+    replaceTask();
+    assertThat(position).isEqualTo(10);
+    put(
+        IntStream.range(10, 25)
+            .mapToObj(i -> record(i, "r2", 2000 + i))
+            .toArray(SinkRecord[]::new));
+    commitWhileRequested();
+    assertThat(connect.deadLetters).hasSize(25).doesNotHaveDuplicates();
+    assertThat(connect.deadLetters.subList(10, 25)).allMatch(it -> it.contains("unknown"));
+    assertThat(written("r2")).isEmpty();
   }
 }

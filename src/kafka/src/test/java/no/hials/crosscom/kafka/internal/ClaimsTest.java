@@ -94,9 +94,7 @@ class ClaimsTest {
         .filter(it -> !of.isSettled(it))
         .forEach(of::hold);
     Set<Long> unknown =
-        of.unknown(Integer.MAX_VALUE).stream()
-            .map(SinkRecord::originalKafkaOffset)
-            .collect(Collectors.toSet());
+        of.unknown().stream().map(SinkRecord::originalKafkaOffset).collect(Collectors.toSet());
     return LongStream.range(from, end)
         .mapToObj(
             offset ->
@@ -133,11 +131,25 @@ class ClaimsTest {
     claims.claim();
     Claims next = claims(committed(4));
     LongStream.range(0, 5).forEach(offset -> next.hold(record(offset)));
-    next.unknown(3).forEach(next::settle);
+    next.unknown().subList(0, 3).forEach(next::settle);
     OffsetAndMetadata left = offsets(next, 5).get(ONE);
     Claims last = claims();
     assertThat(last.open(List.of(ONE), Map.of(ONE, left))).containsExactly(Map.entry(ONE, 3L));
     assertThat(fates(last, 3, 5)).containsExactly("3 unknown", "4 writes");
+  }
+
+  @Test
+  void aClaimWhileSomeUnknownRecordsHaveComeKeepsTheOthersUnknown() {
+    hold(0, 4);
+    claims.claim();
+    Claims next = claims(committed(4));
+    next.hold(record(0));
+    next.claim();
+    OffsetAndMetadata left = offsets(next, 1).get(ONE);
+    Claims last = claims();
+    assertThat(last.open(List.of(ONE), Map.of(ONE, left))).containsExactly(Map.entry(ONE, 0L));
+    assertThat(fates(last, 0, 5))
+        .containsExactly("0 unknown", "1 unknown", "2 unknown", "3 unknown", "4 writes");
   }
 
   @Test

@@ -8,14 +8,12 @@ import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.stream.Stream;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Moment;
 import no.hials.crosscom.cell.feed.Writes;
@@ -257,41 +255,6 @@ class CommandWriterTest {
     var unused = writer.write(List.of(record("r1", 1), record("r2", 2), record("r1", 3)));
     assertThat(written(first)).containsExactly("1", "3");
     assertThat(written(second)).containsExactly("2");
-  }
-
-  @Test
-  void aBatchHas50FailuresAndTheRestIsNotDone() {
-    List<SinkRecord> records = new ArrayList<>();
-    for (int i = 0; i < 60; i++) {
-      records.add(record("r1", 101));
-    }
-    SinkRecord right = record("r1", 1);
-    List<SinkRecord> others = List.of(record("r2", 2), record("r2", 3));
-    records.add(right);
-    records.addAll(others);
-    var outcomes = writer.write(records);
-    assertThat(outcomes).containsOnlyKeys(union(records.subList(0, 50), others));
-    assertThat(written(first)).isEmpty();
-    assertThat(written(second)).containsExactly("2", "3");
-    var rest = writer.write(records.subList(50, 61));
-    assertThat(rest).hasSize(11).containsEntry(right, Optional.empty());
-  }
-
-  @Test
-  void commandsThatCannotBeReadCountAsFailures() {
-    List<SinkRecord> records = new ArrayList<>();
-    for (int i = 0; i < 60; i++) {
-      records.add(record(Map.of("robot", "r1"), Duration.ZERO));
-    }
-    SinkRecord right = record("r1", 1);
-    records.add(right);
-    assertThat(writer.write(records))
-        .containsOnlyKeys(union(records.subList(0, 50), List.of(right)))
-        .containsEntry(right, Optional.empty());
-  }
-
-  private static SinkRecord[] union(List<SinkRecord> some, List<SinkRecord> others) {
-    return Stream.concat(some.stream(), others.stream()).toArray(SinkRecord[]::new);
   }
 
   @Test

@@ -26,16 +26,20 @@ import org.junit.jupiter.api.Timeout;
 class DeadLettersTest {
   private static final Duration LONG = Duration.ofSeconds(50);
 
-  /** Puts some records, whose offsets count from 0. */
-  private static void put(int number, ErrantRecordReporter reporter, Duration patience) {
+  /** Returns some records, whose offsets count from 0. */
+  private static Map<SinkRecord, Exception> letters(int number) {
     Map<SinkRecord, Exception> letters = new LinkedHashMap<>();
     for (int offset = 0; offset < number; offset++) {
       letters.put(
           new SinkRecord("commands", 0, null, null, null, "x", offset),
           new DataException("not written"));
     }
+    return letters;
+  }
+
+  private static void put(int number, ErrantRecordReporter reporter, Duration patience) {
     try (DeadLetters dead = new DeadLetters(reporter, "dead", patience)) {
-      dead.put(letters);
+      assertThat(dead.put(letters(number), LONG)).hasSize(number);
     }
   }
 
@@ -99,6 +103,24 @@ class DeadLettersTest {
         },
         LONG);
     assertThat(numbers).hasSize(25).allMatch(number -> number <= 10);
+  }
+
+  @Test
+  void afterTheTimeNoMoreRecordsArePut() {
+    List<Long> reported = new ArrayList<>();
+    Map<SinkRecord, Exception> letters = letters(25);
+    try (DeadLetters dead =
+        new DeadLetters(
+            (record, why) -> {
+              reported.add(record.originalKafkaOffset());
+              return acknowledged();
+            },
+            "dead",
+            LONG)) {
+      assertThat(dead.put(letters, Duration.ZERO))
+          .isEqualTo(List.copyOf(letters.keySet()).subList(0, 10));
+    }
+    assertThat(reported).hasSize(10);
   }
 
   @Test

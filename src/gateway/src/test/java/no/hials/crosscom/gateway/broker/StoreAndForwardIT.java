@@ -3,11 +3,13 @@ package no.hials.crosscom.gateway.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import io.reactivex.plugins.RxJavaPlugins;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -135,6 +137,28 @@ class StoreAndForwardIT extends BrokerTest {
       start(COUNT + mqtt(cable));
 
       observer.await(all -> numbers(all).containsAll(upTo(61)));
+    }
+  }
+
+  @Test
+  void connectsAfterAnAttemptThatFailsAtOnce() throws Exception {
+    broker = Mosquitto.open(folder);
+    AtomicBoolean failed = new AtomicBoolean();
+    // as when the process has too many open files: the MQTT client throws
+    RxJavaPlugins.setOnSingleSubscribe(
+        (single, observer) -> {
+          if (failed.compareAndSet(false, true)) {
+            throw new IllegalStateException("too many open files");
+          }
+          return observer;
+        });
+    try {
+      Gateway running = start(COUNT + mqtt(broker));
+
+      await(() -> figure(running, "mqtt_connected") == 1);
+      assertThat(failed).isTrue();
+    } finally {
+      RxJavaPlugins.setOnSingleSubscribe(null);
     }
   }
 

@@ -360,6 +360,7 @@ public final class Session implements AutoCloseable {
                             }
                           }));
     } catch (IOException | RuntimeException e) {
+      link = null;
       failed(String.valueOf(e.getMessage()));
     }
   }

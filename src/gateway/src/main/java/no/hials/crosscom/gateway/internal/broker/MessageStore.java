@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -32,6 +33,7 @@ import org.slf4j.LoggerFactory;
 final class MessageStore implements AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(MessageStore.class);
   private static final String ENDING = ".messages";
+  private static final String LEFT = "the stored messages in {} stay there for the next start: {}";
   private static final int HEADER = 8;
   private static final long MAX_FILE = 1_000_000;
   private static final int FILES = 8;
@@ -100,7 +102,7 @@ final class MessageStore implements AutoCloseable {
       }
     } catch (IOException e) {
       figures.damaged.inc();
-      LOG.warn("the stored messages in {} are left there: {}", file, e.toString());
+      LOG.warn(LEFT, file, e.toString());
       return;
     }
     segments.add(segment);
@@ -259,6 +261,18 @@ final class MessageStore implements AutoCloseable {
   }
 
   private void removeFirst() {
+    Segment segment = takeOutFirst();
+    if (segment != null) {
+      try {
+        Files.deleteIfExists(segment.file);
+      } catch (IOException e) {
+        LOG.warn("cannot delete {}: {}", segment.file, e.toString());
+      }
+    }
+  }
+
+  /** Takes the first file out of the store, and leaves it on the disk. */
+  private @Nullable Segment takeOutFirst() {
     if (segments.size() == 1) {
       endFile();
     }
@@ -266,15 +280,12 @@ final class MessageStore implements AutoCloseable {
     if (segment != null) {
       bytes -= segment.bytes;
       messages -= segment.messages - confirmed;
-      try {
-        Files.deleteIfExists(segment.file);
-      } catch (IOException e) {
-        LOG.warn("cannot delete {}: {}", segment.file, e.toString());
-      }
     }
     first = null;
     handedOut = 0;
     confirmed = 0;
+    showSize();
+    return segment;
   }
 
   /** Returns whether nothing is stored. */
@@ -315,9 +326,15 @@ final class MessageStore implements AutoCloseable {
       byte[] content = Files.readAllBytes(segment.file);
       found = read(segment, Arrays.copyOf(content, (int) Math.min(before, content.length)));
       bytes += segment.bytes - before;
-    } catch (IOException e) {
+    } catch (NoSuchFileException e) {
       figures.damaged.inc();
-      LOG.warn("cannot read {}, its messages are lost: {}", segment.file, e.toString());
+      LOG.warn("{} is gone, its messages are lost", segment.file);
+    } catch (IOException e) {
+      // the file may be intact, as when the process has too many open files
+      figures.damaged.inc();
+      LOG.warn(LEFT, segment.file, e.toString());
+      takeOutFirst();
+      return;
     }
     figures.dropped("damaged", expected - found.size());
     messages += found.size() - expected;

@@ -60,6 +60,10 @@ class MessageStoreTest {
     }
   }
 
+  private double dropped(String reason) {
+    return health.counter("mqtt_messages_dropped", "").labelValues("test", reason).get();
+  }
+
   @Test
   void keepsTheOrderOverARestartAndDeletesWhatIsConfirmed() throws IOException {
     try (MessageStore store = open()) {
@@ -106,8 +110,7 @@ class MessageStoreTest {
 
       long kept = store.size();
       assertThat(figures.storedBytes.get()).isLessThanOrEqualTo(LIMIT);
-      assertThat(health.counter("mqtt_messages_dropped", "").labelValues("test", "full").get())
-          .isEqualTo((double) (1000 - kept));
+      assertThat(dropped("full")).isEqualTo((double) (1000 - kept));
       assertThat(takeAll(store)).isEqualTo(messages((int) (1001 - kept), 1000));
     }
   }
@@ -189,6 +192,50 @@ class MessageStoreTest {
   }
 
   @Test
+  void aFileThatCannotBeReadNowIsForwardedAfterTheNextStart() throws IOException {
+    Path aside = folder.resolve("aside");
+    Path first;
+    int later;
+    try (MessageStore store = open()) {
+      IntStream.rangeClosed(1, 100).forEach(i -> store.add(message(i)));
+      assertThat(files()).hasSizeGreaterThan(2);
+      first = files().get(0);
+      Files.move(first, aside);
+      Files.createDirectory(first);
+
+      List<String> all = takeAll(store);
+
+      later = 101 - all.size();
+      assertThat(all).isNotEmpty().isEqualTo(messages(later, 100));
+      assertThat(store.isEmpty()).isTrue();
+      assertThat(figures.storedNow.get()).isZero();
+      assertThat(figures.storedBytes.get()).isZero();
+      assertThat(figures.damaged.get()).isEqualTo(1);
+      assertThat(dropped("damaged")).isZero();
+      assertThat(files()).containsExactly(first, aside);
+    }
+    Files.delete(first);
+    Files.move(aside, first);
+
+    try (MessageStore store = open()) {
+      assertThat(takeAll(store)).isNotEmpty().isEqualTo(messages(1, later - 1));
+    }
+  }
+
+  @Test
+  void theMessagesOfAFileThatIsGoneAreCounted() throws IOException {
+    try (MessageStore store = open()) {
+      IntStream.rangeClosed(1, 100).forEach(i -> store.add(message(i)));
+      Files.delete(files().get(0));
+
+      List<String> all = takeAll(store);
+
+      assertThat(all).isNotEmpty();
+      assertThat(dropped("damaged")).isPositive().isEqualTo(100 - all.size());
+    }
+  }
+
+  @Test
   void aNameThatIsTakenCostsOnlyOneMessage() throws IOException {
     try (MessageStore store = open()) {
       Files.createDirectory(folder.resolve("0000000000000000001.messages"));
@@ -197,8 +244,7 @@ class MessageStoreTest {
       store.add(message(3));
 
       assertThat(takeAll(store)).isEqualTo(messages(2, 3));
-      assertThat(health.counter("mqtt_messages_dropped", "").labelValues("test", "disk").get())
-          .isEqualTo(1);
+      assertThat(dropped("disk")).isEqualTo(1);
     }
   }
 

@@ -5,9 +5,14 @@ import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Consumer;
@@ -29,6 +34,7 @@ import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.builtin.Variant;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.BrowseDirection;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.BrowseResultMask;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.NodeClass;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn;
 import org.eclipse.milo.opcua.stack.core.types.structured.BrowseDescription;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReadValueId;
@@ -130,9 +136,14 @@ final class OpcUaPlant implements AutoCloseable {
   }
 
   static DataValue read(OpcUaClient client, NodeId id, AttributeId attribute) throws UaException {
-    return client.read(
-            0, TimestampsToReturn.Both, List.of(new ReadValueId(id, attribute.uid(), null, null)))
-        .getResults()[0];
+    return read(client, List.of(id), attribute).get(0);
+  }
+
+  static List<DataValue> read(OpcUaClient client, List<NodeId> ids, AttributeId attribute)
+      throws UaException {
+    List<ReadValueId> all =
+        ids.stream().map(id -> new ReadValueId(id, attribute.uid(), null, null)).toList();
+    return List.of(client.read(0, TimestampsToReturn.Both, all).getResults());
   }
 
   /** Reads until a value is as expected; the test's timeout is the deadline. */
@@ -159,8 +170,7 @@ final class OpcUaPlant implements AutoCloseable {
         id, AttributeId.Value.uid(), null, DataValue.valueOnly(new Variant(value)));
   }
 
-  /** Returns the objects and variables of a node that have a type. */
-  static List<ReferenceDescription> children(OpcUaClient client, NodeId id, NodeId type)
+  private static List<ReferenceDescription> children(OpcUaClient client, NodeId id)
       throws UaException {
     BrowseDescription all =
         new BrowseDescription(
@@ -171,7 +181,32 @@ final class OpcUaPlant implements AutoCloseable {
             uint(0),
             uint(BrowseResultMask.All.getValue()));
     ReferenceDescription[] found = client.browse(all).getReferences();
-    return List.of(Optional.ofNullable(found).orElse(new ReferenceDescription[0])).stream()
+    return List.of(Optional.ofNullable(found).orElse(new ReferenceDescription[0]));
+  }
+
+  /** Returns the variables of namespace 0. */
+  static List<NodeId> standardVariables(OpcUaClient client) throws UaException {
+    List<NodeId> variables = new ArrayList<>();
+    Set<NodeId> seen = new HashSet<>();
+    Deque<NodeId> next = new ArrayDeque<>(List.of(NodeIds.RootFolder));
+    while (!next.isEmpty()) {
+      for (ReferenceDescription child : children(client, next.remove())) {
+        NodeId id = child.getNodeId().toNodeId(client.getNamespaceTable()).orElseThrow();
+        if (id.getNamespaceIndex().intValue() == 0 && seen.add(id)) {
+          next.add(id);
+          if (child.getNodeClass() == NodeClass.Variable) {
+            variables.add(id);
+          }
+        }
+      }
+    }
+    return variables;
+  }
+
+  /** Returns the objects and variables of a node that have a type. */
+  static List<ReferenceDescription> children(OpcUaClient client, NodeId id, NodeId type)
+      throws UaException {
+    return children(client, id).stream()
         .filter(
             it ->
                 it.getTypeDefinition()

@@ -46,6 +46,9 @@ class OpcUaTest {
   private static final UByte READ = UByte.valueOf(1);
   private static final UByte READ_WRITE = UByte.valueOf(3);
 
+  /** The status of nodes that need encryption. */
+  private static final long HIDDEN = StatusCodes.Bad_SecurityModeInsufficient;
+
   @KukaController private MockServer robot;
 
   /** Shared by all tests, since the server's key takes time to create. */
@@ -274,6 +277,27 @@ class OpcUaTest {
     }
     assertThat(robot.variables().get("$OV_PRO")).isEqualTo("55");
     assertThat(audit()).contains("\"who\":\"opcua:anna\"", "\"after\":\"55\",\"result\":\"done\"");
+  }
+
+  @Test
+  void nobodyWritesTheNodesOfTheStandard() throws Exception {
+    List<NodeId> variables = OpcUaPlant.standardVariables(client);
+    NodeId diagnostics = NodeIds.Server_ServerDiagnostics_EnabledFlag;
+    assertThat(variables).contains(diagnostics, NodeIds.Server_ServerStatus_CurrentTime);
+    OpcUaClient operator = plant.connect("anna", "of anna");
+    try {
+      for (OpcUaClient one : List.of(client, operator)) {
+        assertThat(OpcUaPlant.read(one, variables, AttributeId.UserAccessLevel))
+            .filteredOn(it -> it.statusCode().value() != HIDDEN)
+            .extracting(it -> it.value().value())
+            .containsOnly(READ);
+        assertThat(write(one, diagnostics, true)).isEqualTo(StatusCodes.Bad_UserAccessDenied);
+      }
+    } finally {
+      operator.disconnect();
+    }
+    assertThat(level(client, diagnostics, AttributeId.AccessLevel)).isEqualTo(READ);
+    assertThat(read(client, diagnostics).value().value()).isEqualTo(false);
   }
 
   @Test

@@ -1,6 +1,7 @@
 package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.eclipse.milo.opcua.sdk.server.OpcUaServerConfig.USER_TOKEN_POLICY_ANONYMOUS;
+import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 
 import io.prometheus.metrics.core.metrics.Gauge;
 import java.io.IOException;
@@ -21,16 +22,21 @@ import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Output;
+import org.eclipse.milo.opcua.sdk.core.AccessLevel;
 import org.eclipse.milo.opcua.sdk.server.EndpointConfig;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServerConfig;
 import org.eclipse.milo.opcua.sdk.server.Session;
 import org.eclipse.milo.opcua.sdk.server.SessionListener;
+import org.eclipse.milo.opcua.sdk.server.nodes.UaVariableNode;
+import org.eclipse.milo.opcua.stack.core.NodeIds;
 import org.eclipse.milo.opcua.stack.core.security.SecurityPolicy;
 import org.eclipse.milo.opcua.stack.core.types.builtin.DateTime;
 import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
+import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UByte;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.MessageSecurityMode;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.UserTokenType;
+import org.eclipse.milo.opcua.stack.core.types.structured.AccessLevelExType;
 import org.eclipse.milo.opcua.stack.core.types.structured.BuildInfo;
 import org.eclipse.milo.opcua.stack.core.types.structured.UserTokenPolicy;
 import org.eclipse.milo.opcua.stack.transport.server.tcp.OpcTcpServerTransport;
@@ -95,6 +101,7 @@ final class OpcUaOutput implements Output {
     server =
         new OpcUaServer(
             config(), profile -> new OpcTcpServerTransport(connections.transport(executor)));
+    protectDiagnostics();
     connections.watch(server);
     types = new CompanionTypes(server);
     namespace = new RobotsNamespace(server, types, writes);
@@ -126,6 +133,21 @@ final class OpcUaOutput implements Output {
               + e.getMessage(),
           e);
     }
+  }
+
+  /** Makes the switch of the diagnostics read-only, since Milo lets everybody write it. */
+  private void protectDiagnostics() {
+    server
+        .getAddressSpaceManager()
+        .getManagedNode(NodeIds.Server_ServerDiagnostics_EnabledFlag)
+        .map(UaVariableNode.class::cast)
+        .ifPresent(
+            flag -> {
+              UByte level = AccessLevel.toValue(AccessLevel.READ_ONLY);
+              flag.setAccessLevel(level);
+              flag.setUserAccessLevel(level);
+              flag.setAccessLevelEx(new AccessLevelExType(uint(level.intValue())));
+            });
   }
 
   private void start() throws IOException {

@@ -1,7 +1,5 @@
 package no.hials.crosscom.kafka;
 
-import static java.util.Objects.requireNonNull;
-
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Collection;
@@ -19,7 +17,6 @@ import no.hials.crosscom.kafka.internal.ConnectorVersion;
 import no.hials.crosscom.kafka.internal.DeadLetters;
 import no.hials.crosscom.kafka.internal.Lease;
 import no.hials.crosscom.kafka.internal.TaskPlant;
-import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.clients.consumer.OffsetAndMetadata;
 import org.apache.kafka.common.TopicPartition;
 import org.apache.kafka.connect.errors.ConnectException;
@@ -271,13 +268,7 @@ public final class RobotSinkTask extends SinkTask {
     }
     for (SinkRecord record : dead.put(letters, longestReport)) {
       claims().settle(record);
-      Exception why = requireNonNull(letters.remove(record));
-      LOG.warn(
-          "{}-{}@{}: {}",
-          record.originalTopic(),
-          record.originalKafkaPartition(),
-          record.originalKafkaOffset(),
-          PrintableText.shortened(String.valueOf(why.getMessage())));
+      letters.remove(record);
     }
   }
 

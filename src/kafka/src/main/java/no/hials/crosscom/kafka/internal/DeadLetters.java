@@ -16,6 +16,8 @@ import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.sink.ErrantRecordReporter;
 import org.apache.kafka.connect.sink.SinkRecord;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Puts records on the dead-letter topic, and is certain that they are there. Connect drops the
@@ -23,6 +25,8 @@ import org.apache.kafka.connect.sink.SinkRecord;
  * the record had been sent. So only a future that was not done at first is a proof.
  */
 public final class DeadLetters implements AutoCloseable {
+  private static final Logger LOG = LoggerFactory.getLogger(DeadLetters.class);
+
   /** A future that is done at once can also be that of a very quick answer: a few in a row not. */
   private static final int TRIES = 3;
 
@@ -72,7 +76,14 @@ public final class DeadLetters implements AutoCloseable {
       Map<SinkRecord, Exception> next = new LinkedHashMap<>();
       for (SinkRecord record :
           records.subList(number, Math.min(records.size(), number + AT_ONCE))) {
-        next.put(record, brief(Objects.requireNonNull(letters.get(record))));
+        Exception why = brief(Objects.requireNonNull(letters.get(record)));
+        LOG.warn(
+            "{}-{}@{}: {}",
+            record.originalTopic(),
+            record.originalKafkaPartition(),
+            record.originalKafkaOffset(),
+            String.valueOf(why.getMessage()));
+        next.put(record, why);
       }
       putAtOnce(next);
       number += next.size();

@@ -134,7 +134,7 @@ class TeachTest {
     socket.await(it -> it.path("id").asInt() == 900); // not answered before
   }
 
-  /** Returns what lets it go on. */
+  /** Returns a latch that lets the robot answer. */
   private CountDownLatch letCommand900WaitForTheRobot() throws InterruptedException {
     unlock();
     CountDownLatch released = new CountDownLatch(1);

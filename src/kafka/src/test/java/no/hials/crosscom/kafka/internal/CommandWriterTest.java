@@ -2,6 +2,8 @@ package no.hials.crosscom.kafka.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -13,7 +15,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.Moment;
 import no.hials.crosscom.cell.feed.Writes;
@@ -169,20 +173,42 @@ class CommandWriterTest {
 
   @Test
   void aConnectionThatBreaksBeforeTheWriteSaysThatNothingWasWritten() throws Exception {
-    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
-        CommandWriter other =
-            writer(
-                Files.readString(file())
-                    .replace("port = " + first.port(), "port = " + full.getLocalPort()),
-                lease)) {
-      SinkRecord command = record("r1", 40);
-      CompletableFuture<Map<SinkRecord, Optional<Exception>>> outcomes =
-          CompletableFuture.supplyAsync(() -> other.write(List.of(command)));
-      // as a server that has too many clients
-      full.accept().close();
-      assertThat(outcomes.get().get(command).orElseThrow())
-          .hasMessageStartingWith("not written: ")
-          .hasMessageContaining("broke");
+    AtomicInteger asked = new AtomicInteger();
+    try (ServerSocket full = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+      String text =
+          Files.readString(file())
+              .replace("port = " + first.port(), "port = " + full.getLocalPort());
+      Files.writeString(file(), text);
+      // the time is asked for before the connection is made, and then before the write
+      LongSupplier clock =
+          () -> {
+            if (asked.incrementAndGet() == 2) {
+              close(full);
+            }
+            return System.currentTimeMillis();
+          };
+      try (CommandWriter other =
+          new CommandWriter(
+              new TaskPlant(file().toString(), text),
+              new Writes(new AuditLog(folder)),
+              lease,
+              MAX_AGE,
+              Duration.ofHours(1),
+              clock)) {
+        SinkRecord command = record("r1", 40);
+        assertThat(other.write(List.of(command)).get(command).orElseThrow())
+            .hasMessageStartingWith("not written: ")
+            .hasMessageContaining("broke");
+      }
+    }
+  }
+
+  /** Closes the next connection, as a server that has too many clients. */
+  private static void close(ServerSocket server) {
+    try {
+      server.accept().close();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

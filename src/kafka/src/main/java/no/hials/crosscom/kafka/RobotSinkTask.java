@@ -144,12 +144,7 @@ public final class RobotSinkTask extends SinkTask {
 
   @Override
   public void close(Collection<TopicPartition> partitions) {
-    failed
-        .keySet()
-        .removeIf(
-            record ->
-                partitions.contains(
-                    new TopicPartition(record.originalTopic(), record.originalKafkaPartition())));
+    failed.keySet().removeIf(record -> partitions.contains(Claims.partitionOf(record)));
     long left = claims().close(partitions);
     if (left > 0) {
       LOG.warn("{} claimed records were not written: they will be reported as unknown", left);

@@ -117,7 +117,8 @@ public final class Claims implements AutoCloseable {
     this.patience = patience;
   }
 
-  private static TopicPartition of(SinkRecord record) {
+  /** Returns the partition that a record came from. */
+  public static TopicPartition partitionOf(SinkRecord record) {
     return new TopicPartition(record.originalTopic(), record.originalKafkaPartition());
   }
 
@@ -174,7 +175,7 @@ public final class Claims implements AutoCloseable {
 
   /** Returns whether another task has written or reported a record. */
   public boolean isSettled(SinkRecord record) {
-    Partition partition = partitions.get(of(record));
+    Partition partition = partitions.get(partitionOf(record));
     return partition != null && partition.isSettled(record.originalKafkaOffset());
   }
 
@@ -187,9 +188,9 @@ public final class Claims implements AutoCloseable {
 
   /** Holds a record until it is written or reported. */
   public void hold(SinkRecord record) {
-    Partition partition = partitions.get(of(record));
+    Partition partition = partitions.get(partitionOf(record));
     if (partition == null) {
-      throw new IllegalStateException(of(record) + " is not assigned");
+      throw new IllegalStateException(partitionOf(record) + " is not assigned");
     }
     partition.held.add(record);
   }
@@ -299,7 +300,7 @@ public final class Claims implements AutoCloseable {
 
   /** Marks a record as written or reported. */
   public void settle(SinkRecord record) {
-    Partition partition = partitions.get(of(record));
+    Partition partition = partitions.get(partitionOf(record));
     if (partition != null) {
       boolean unused = partition.held.remove(record);
     }

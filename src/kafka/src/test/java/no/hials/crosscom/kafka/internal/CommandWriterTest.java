@@ -86,9 +86,14 @@ class CommandWriterTest {
   }
 
   private CommandWriter writer(Duration maxAge, Duration limit) throws Exception {
+    return writer(maxAge, limit, System::currentTimeMillis);
+  }
+
+  private CommandWriter writer(Duration maxAge, Duration limit, LongSupplier clock)
+      throws Exception {
     TaskPlant plant = new TaskPlant(file().toString(), Files.readString(file()));
     Writes writes = new Writes(new AuditLog(folder));
-    return new CommandWriter(plant, writes, lease, maxAge, limit, System::currentTimeMillis);
+    return new CommandWriter(plant, writes, lease, maxAge, limit, clock);
   }
 
   private String audit() throws Exception {
@@ -187,14 +192,7 @@ class CommandWriterTest {
             }
             return System.currentTimeMillis();
           };
-      try (CommandWriter other =
-          new CommandWriter(
-              new TaskPlant(file().toString(), text),
-              new Writes(new AuditLog(folder)),
-              lease,
-              MAX_AGE,
-              Duration.ofHours(1),
-              clock)) {
+      try (CommandWriter other = writer(MAX_AGE, Duration.ofHours(1), clock)) {
         SinkRecord command = record("r1", 40);
         assertThat(other.write(List.of(command)).get(command).orElseThrow())
             .hasMessageStartingWith("not written: ")
@@ -216,15 +214,8 @@ class CommandWriterTest {
   void aRecordThatBecomesTooOldWhileTheTaskConnectsIsNotWritten() throws Exception {
     SinkRecord command = record("r1", 40);
     AtomicLong time = new AtomicLong(command.timestamp());
-    String text = Files.readString(file());
-    try (CommandWriter slow =
-        new CommandWriter(
-            new TaskPlant(file().toString(), text),
-            new Writes(new AuditLog(folder)),
-            lease,
-            MAX_AGE,
-            Duration.ofHours(1),
-            () -> time.getAndAdd(MAX_AGE.toMillis() + 1))) {
+    LongSupplier clock = () -> time.getAndAdd(MAX_AGE.toMillis() + 1);
+    try (CommandWriter slow = writer(MAX_AGE, Duration.ofHours(1), clock)) {
       assertThat(slow.write(List.of(command)).get(command).orElseThrow())
           .hasMessage(
               "r1: $OV_PRO was not written: it waited too long for the connection to the robot");

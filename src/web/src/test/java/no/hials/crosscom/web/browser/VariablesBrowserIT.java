@@ -76,18 +76,22 @@ class VariablesBrowserIT {
             + "'empty.txt has no variable; the list is unchanged')");
   }
 
+  private void watchUnlocked(Browser browser, String variable) throws IOException {
+    Path file = Files.writeString(folder.resolve("one.txt"), variable + "\n");
+    browser.open(URI.create(pages.web().link(Role.OPERATE)));
+    browser.open(pages.at("/?view=variables#/variables"));
+    browser.click(".lock");
+    browser.await("document.querySelector('.lock[aria-pressed=true]')");
+    browser.find(".lists input[type=file]").sendKeys(file.toString());
+  }
+
   @Test
   void aVariableWithoutAValueCanBeChanged(Browser browser) throws Exception {
     pages
         .controller()
         .controller()
         .load("notes.dat", "DEFDAT NOTES PUBLIC\nDECL GLOBAL CHAR TXT[8]\nENDDAT\n");
-    Path file = Files.writeString(folder.resolve("txt.txt"), "TXT[]\n");
-    browser.open(URI.create(pages.web().link(Role.OPERATE)));
-    browser.open(pages.at("/?view=variables#/variables"));
-    browser.click(".lock");
-    browser.await("document.querySelector('.lock[aria-pressed=true]')");
-    browser.find(".lists input[type=file]").sendKeys(file.toString());
+    watchUnlocked(browser, "TXT[]");
     browser.await("document.querySelector('[aria-label=\"Change TXT[]\"]')");
 
     browser.click("[aria-label=\"Change TXT[]\"]");
@@ -107,12 +111,7 @@ class VariablesBrowserIT {
   @Test
   void aSlowReadingKeepsWhatIsTypedMeanwhile(Browser browser) throws Exception {
     pages.controller().variables().set("MYINT", "100");
-    Path file = Files.writeString(folder.resolve("int.txt"), "MYINT\n");
-    browser.open(URI.create(pages.web().link(Role.OPERATE)));
-    browser.open(pages.at("/?view=variables#/variables"));
-    browser.click(".lock");
-    browser.await("document.querySelector('.lock[aria-pressed=true]')");
-    browser.find(".lists input[type=file]").sendKeys(file.toString());
+    watchUnlocked(browser, "MYINT");
     browser.await("document.querySelector('[aria-label=\"Change MYINT\"]:not(:disabled)')");
     CountDownLatch released = new CountDownLatch(1);
     try {

@@ -41,6 +41,13 @@ class MessageStoreTest {
     return new StoredMessage("topic", ("message " + number).getBytes(UTF_8));
   }
 
+  /** Stores messages from 1 on, and closes the store. */
+  private void store(int number) {
+    try (MessageStore store = open()) {
+      IntStream.rangeClosed(1, number).forEach(i -> store.add(message(i)));
+    }
+  }
+
   private static List<String> takeAll(MessageStore store) {
     List<String> all = new ArrayList<>();
     for (StoredMessage next = store.next(); next != null; next = store.next()) {
@@ -66,9 +73,7 @@ class MessageStoreTest {
 
   @Test
   void keepsTheOrderOverARestartAndDeletesWhatIsConfirmed() throws IOException {
-    try (MessageStore store = open()) {
-      IntStream.rangeClosed(1, 100).forEach(i -> store.add(message(i)));
-    }
+    store(100);
     try (MessageStore store = open()) {
       store.add(message(101));
 
@@ -132,9 +137,7 @@ class MessageStoreTest {
 
   @Test
   void skipsTheRestOfAFileThatIsCutOff() throws IOException {
-    try (MessageStore store = open()) {
-      IntStream.rangeClosed(1, 60).forEach(i -> store.add(message(i)));
-    }
+    store(60);
     List<Path> files = files();
     assertThat(files).hasSizeGreaterThan(1);
     Path first = files.get(0);
@@ -151,9 +154,7 @@ class MessageStoreTest {
 
   @Test
   void skipsTheRestOfAFileThatIsDamaged() throws IOException {
-    try (MessageStore store = open()) {
-      IntStream.rangeClosed(1, 10).forEach(i -> store.add(message(i)));
-    }
+    store(10);
     Path file = files().get(0);
     byte[] content = Files.readAllBytes(file);
     content[content.length / 2] ^= 1;
@@ -173,9 +174,7 @@ class MessageStoreTest {
 
   @Test
   void aFileThatCannotBeReadHidesNoOther() throws IOException {
-    try (MessageStore store = open()) {
-      IntStream.rangeClosed(1, 100).forEach(i -> store.add(message(i)));
-    }
+    store(100);
     List<Path> files = files();
     assertThat(files).hasSizeGreaterThan(2);
     Path first = files.get(0);

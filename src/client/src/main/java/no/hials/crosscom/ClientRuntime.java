@@ -6,11 +6,10 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executor;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import no.hials.crosscom.ConnectionEvent.ChangeReason;
+import no.hials.crosscom.internal.exchange.DaemonPool;
 import no.hials.crosscom.internal.exchange.DaemonThreads;
 import no.hials.crosscom.internal.exchange.GrowingPool;
 import no.hials.crosscom.internal.exchange.SelectorLoop;
@@ -23,9 +22,9 @@ import no.hials.crosscom.internal.exchange.SelectorLoop;
  *
  * <ul>
  *   <li>{@code crosscom-timer-N} ends exchanges that are overdue, wakes idle connections, and
- *       starts the readings of watches.
+ *       starts the readings of watches. It runs until the runtime is closed.
  *   <li>{@code crosscom-io-N} connects, does the exchanges of watches, and keeps idle connections
- *       alive. It runs until the runtime is closed.
+ *       alive. It runs until the runtime is closed, too.
  *   <li>{@code crosscom-resolver-N}, at most four, find the addresses of host names.
  *   <li>{@code crosscom-sampler-N}, at most two, create the samples of watches, which calls the
  *       constructors of the program's records, and hand them to iterators. If both are blocked,
@@ -39,6 +38,8 @@ import no.hials.crosscom.internal.exchange.SelectorLoop;
  *       If all of them are blocked, the thread that ran the call does so, or for a future without a
  *       call a thread of listeners.
  * </ul>
+ *
+ * <p>While the system cannot start a thread, what it would run waits, which is logged as a warning.
  */
 public final class ClientRuntime implements AutoCloseable {
   private static final AtomicInteger COUNT = new AtomicInteger();
@@ -46,10 +47,10 @@ public final class ClientRuntime implements AutoCloseable {
 
   private final ScheduledThreadPoolExecutor timer;
   private final SelectorLoop loop;
-  private final ThreadPoolExecutor resolver;
-  private final ThreadPoolExecutor samplers;
+  private final DaemonPool resolver;
+  private final DaemonPool samplers;
   private final GrowingPool listeners;
-  private final ThreadPoolExecutor callbacks;
+  private final DaemonPool callbacks;
   private final Set<ReconnectingConnection> connections = ConcurrentHashMap.newKeySet();
   private volatile boolean closed;
 
@@ -57,18 +58,14 @@ public final class ClientRuntime implements AutoCloseable {
     int number = COUNT.incrementAndGet();
     timer = new ScheduledThreadPoolExecutor(1, DaemonThreads.named("crosscom-timer-" + number));
     timer.setRemoveOnCancelPolicy(true);
-    timer.setKeepAliveTime(1, TimeUnit.SECONDS);
-    timer.allowCoreThreadTimeOut(true);
-    loop = new SelectorLoop("crosscom-io-" + number);
-    resolver = DaemonThreads.pool(4, "crosscom-resolver-" + number);
-    samplers = DaemonThreads.pool(2, "crosscom-sampler-" + number);
+    loop = new SelectorLoop("crosscom-io-" + number, timer);
+    resolver = new DaemonPool(4, "crosscom-resolver-" + number, timer);
+    samplers = new DaemonPool(2, "crosscom-sampler-" + number, timer);
     listeners = new GrowingPool(options.listenerThreads, "crosscom-listener-" + number, timer);
     callbacks =
-        new ThreadPoolExecutor(
+        new DaemonPool(
             0,
             options.callbackThreads,
-            1,
-            TimeUnit.SECONDS,
             new SynchronousQueue<>(),
             DaemonThreads.named("crosscom-callback-" + number),
             (task, pool) -> {
@@ -77,7 +74,8 @@ public final class ClientRuntime implements AutoCloseable {
               } else {
                 task.run();
               }
-            });
+            },
+            timer);
   }
 
   /** Returns the runtime of this process, which is never closed. */
@@ -106,7 +104,7 @@ public final class ClientRuntime implements AutoCloseable {
     return loop;
   }
 
-  ThreadPoolExecutor resolver() {
+  Executor resolver() {
     return resolver;
   }
 
@@ -166,8 +164,8 @@ public final class ClientRuntime implements AutoCloseable {
     closed = true;
     List.copyOf(connections).forEach(connection -> connection.close(ChangeReason.RUNTIME_CLOSED));
     resolver.shutdown();
-    DaemonThreads.endIdle(samplers);
-    DaemonThreads.endIdle(callbacks);
+    samplers.endIdleThreads();
+    callbacks.endIdleThreads();
     listeners.endIdleThreads();
     timer.shutdownNow();
     loop.close();

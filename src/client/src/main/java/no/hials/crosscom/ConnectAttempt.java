@@ -50,6 +50,8 @@ final class ConnectAttempt implements SelectorLoop.Selectable {
       attempt.start();
     } catch (RejectedExecutionException e) {
       attempt.fail(runtimeClosed(e));
+    } catch (OutOfMemoryError e) {
+      attempt.fail(new IOException(e.getMessage(), e)); // no thread can be started
     }
     return attempt.connection;
   }

@@ -125,6 +125,7 @@ public final class CrossComClient extends OriginalAccess {
     this.threads =
         new Threads(
             config.port(),
+            config.runtime().timer(),
             config.maxPendingCalls(),
             config.runtime().callbacks(),
             config.runtime()::complete,

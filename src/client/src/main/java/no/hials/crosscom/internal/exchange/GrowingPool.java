@@ -40,7 +40,7 @@ public final class GrowingPool implements Executor {
   }
 
   private final Waiting queue;
-  private final ThreadPoolExecutor threads;
+  private final DaemonPool threads;
   private final ScheduledExecutorService timer;
   private final String name;
   private final AtomicBoolean checking = new AtomicBoolean();
@@ -60,15 +60,13 @@ public final class GrowingPool implements Executor {
     this.timer = timer;
     this.name = name;
     this.threads =
-        new ThreadPoolExecutor(
+        new DaemonPool(
             few,
             most,
-            1,
-            TimeUnit.SECONDS,
             queue,
             DaemonThreads.named(name),
-            new ThreadPoolExecutor.DiscardPolicy());
-    threads.allowCoreThreadTimeOut(true);
+            new ThreadPoolExecutor.DiscardPolicy(),
+            timer);
   }
 
   /** A task and the time since when it waits, by {@link System#nanoTime}. */
@@ -149,6 +147,6 @@ public final class GrowingPool implements Executor {
 
   /** Ends each thread as soon as it is idle. Later tasks still run. */
   public void endIdleThreads() {
-    DaemonThreads.endIdle(threads);
+    threads.endIdleThreads();
   }
 }

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Executor;
+import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
@@ -34,7 +35,7 @@ public final class SelectorLoop implements Executor {
     void ready();
   }
 
-  private final String name;
+  private final DaemonPool threads;
   private final Queue<Runnable> tasks = new ConcurrentLinkedQueue<>();
 
   /** The users of channels that are ready, until they have been called. */
@@ -42,7 +43,7 @@ public final class SelectorLoop implements Executor {
 
   private @Nullable Selector selector;
 
-  private @Nullable Thread thread;
+  private volatile @Nullable Thread thread;
   private volatile boolean closed;
 
   /** Whether the thread has ended, so that tasks run in the threads that queue them. */
@@ -50,8 +51,14 @@ public final class SelectorLoop implements Executor {
 
   private final ReentrantLock remaining = new ReentrantLock();
 
-  public SelectorLoop(String name) {
-    this.name = name;
+  /**
+   * Creates a loop without a thread.
+   *
+   * @param name the name of its thread
+   * @param timer has a thread
+   */
+  public SelectorLoop(String name, ScheduledExecutorService timer) {
+    this.threads = new DaemonPool(1, name, timer);
   }
 
   /** Runs a task in the thread of the loop, after the tasks before it. */
@@ -72,8 +79,7 @@ public final class SelectorLoop implements Executor {
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
-      thread = DaemonThreads.named(name).newThread(this::run);
-      thread.start();
+      threads.execute(this::run);
     }
     return selector;
   }
@@ -100,6 +106,7 @@ public final class SelectorLoop implements Executor {
   }
 
   private void run() {
+    thread = Thread.currentThread();
     Selector own = start();
     while (!closed) {
       try {

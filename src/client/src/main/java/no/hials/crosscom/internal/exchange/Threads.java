@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executor;
 import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
@@ -39,6 +40,7 @@ public final class Threads {
    * Creates the executors.
    *
    * @param port the server's port, for the names of the threads
+   * @param timer has a thread
    * @param maxPending the maximum number of calls that have not ended
    * @param callbacks runs the functions on the futures of calls
    * @param completions completes the futures of calls that do not run, in another thread
@@ -46,12 +48,13 @@ public final class Threads {
    */
   public Threads(
       int port,
+      ScheduledExecutorService timer,
       int maxPending,
       Executor callbacks,
       Executor completions,
       Supplier<? extends Exception> closed) {
-    this.async = DaemonThreads.pool(1, "crosscom-async-" + port);
-    this.transfers = DaemonThreads.pool(1, "crosscom-files-" + port);
+    this.async = new DaemonPool(1, "crosscom-async-" + port, timer);
+    this.transfers = new DaemonPool(1, "crosscom-files-" + port, timer);
     this.maxPending = maxPending;
     this.callbacks = callbacks;
     this.completions = completions;

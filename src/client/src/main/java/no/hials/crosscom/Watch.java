@@ -42,7 +42,8 @@ import org.slf4j.LoggerFactory;
  * listener is called with a sample any more; a call under way goes on. Subscribers still get the
  * samples that wait, as they request them, and then {@code onComplete}; iterators return them. A
  * variable that cannot be read, for example because its name is too long for a request, is a failed
- * {@link Reading} in each sample. Only an unexpected exception ends the watch with {@code onError}.
+ * {@link Reading} in each sample. Only an unexpected exception ends the watch with {@code onError};
+ * a lack of memory does not, its readings are counted as failed.
  */
 public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
@@ -304,15 +305,30 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       try {
         sampler.add(items, time, start, duration, missedBefore);
       } catch (RuntimeException | Error e) {
-        broken(e);
+        if (!outlives(e)) {
+          end(e);
+        }
       }
     }
 
     @Override
     public void broken(Throwable failure) {
-      LOG.warn("a watch failed", failure);
-      end(failure);
+      if (outlives(failure)) {
+        endReading();
+      } else {
+        end(failure);
+      }
     }
+  }
+
+  /** Returns whether the watch goes on after a failure of a reading: only if memory was short. */
+  private boolean outlives(Throwable failure) {
+    boolean shortOfMemory = failure instanceof OutOfMemoryError;
+    if (shortOfMemory) {
+      failed.incrementAndGet();
+    }
+    LOG.warn(shortOfMemory ? "a reading failed" : "a watch failed", failure);
+    return shortOfMemory;
   }
 
   private void endReading() {

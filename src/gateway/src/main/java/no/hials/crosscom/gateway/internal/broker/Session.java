@@ -38,8 +38,6 @@ public final class Session implements AutoCloseable {
   private static final int MAX_IN_FLIGHT = 1000;
 
   private static final int TASKS_AT_ONCE = 200;
-  private static final long FIRST_DELAY = Duration.ofMillis(100).toNanos();
-  private static final long LAST_DELAY = Duration.ofSeconds(5).toNanos();
   private static final long TICK = Duration.ofMillis(250).toNanos();
   private static final long PAUSE = Duration.ofMillis(50).toNanos();
   private static final long END = Duration.ofSeconds(2).toNanos();
@@ -56,15 +54,13 @@ public final class Session implements AutoCloseable {
   // used only by the thread
   private final Deque<Outgoing> inFlight = new ArrayDeque<>();
   private final Refusals refusals;
+  private final Attempts attempts = new Attempts();
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
   private @Nullable Link link;
   private boolean connected;
   private boolean forwarding;
   private long droppedStored;
-  private long nextAttempt = System.nanoTime();
-  private long delay = FIRST_DELAY;
-  private long connectedAt;
   private long nextTick = System.nanoTime();
   private String lastFailure = "";
 
@@ -274,7 +270,7 @@ public final class Session implements AutoCloseable {
       busy = true;
     }
     long now = System.nanoTime();
-    if (link == null && !closing && now - nextAttempt >= 0) {
+    if (link == null && !closing && attempts.isDue(now)) {
       connect();
     }
     if (now - nextTick >= 0) {
@@ -390,7 +386,7 @@ public final class Session implements AutoCloseable {
       return;
     }
     connected = true;
-    connectedAt = System.nanoTime();
+    attempts.connected();
     lastFailure = "";
     figures.connected.set(1);
     if (store().isEmpty()) {
@@ -426,10 +422,7 @@ public final class Session implements AutoCloseable {
     keep();
     if (was) {
       LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
-      if (System.nanoTime() - connectedAt > LAST_DELAY) {
-        delay = FIRST_DELAY;
-      }
-      scheduleAttempt();
+      attempts.lost();
     } else {
       failed(reason);
     }
@@ -440,13 +433,7 @@ public final class Session implements AutoCloseable {
       LOG.warn("MQTT {}: cannot connect to {}: {}", name, settings.url(), reason);
     }
     lastFailure = reason;
-    scheduleAttempt();
-  }
-
-  /** Each attempt waits longer, also if the broker connects and ends the connection at once. */
-  private void scheduleAttempt() {
-    nextAttempt = System.nanoTime() + delay;
-    delay = Math.min(2 * delay, LAST_DELAY);
+    attempts.failed();
   }
 
   /** Stores what the broker has not confirmed, and forwards the rest of the store later. */

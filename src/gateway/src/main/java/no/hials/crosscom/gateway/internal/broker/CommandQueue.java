@@ -115,12 +115,7 @@ public final class CommandQueue implements AutoCloseable {
           .of(robot)
           .execute(() -> result.accept(executeNow(who, feed, variable, value, latest, late)));
     } catch (RejectedExecutionException e) {
-      result.accept(
-          refused(
-              who,
-              robot,
-              variable,
-              "not executed: " + RobotThreads.MAX_WAITING + " commands are waiting"));
+      result.accept(refused(who, robot, variable, "not executed: " + e.getMessage()));
     }
   }
 

@@ -5,12 +5,14 @@ import java.util.Map;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
  * A thread for each robot that is written to, with a queue, so that a slow robot delays no other
- * one. A full queue throws {@link java.util.concurrent.RejectedExecutionException}. Thread-safe.
+ * one. A task that it does not take throws {@link RejectedExecutionException} with the reason.
+ * Thread-safe.
  */
 public final class RobotThreads {
   /** The maximum number of writes that wait for a robot. */
@@ -54,7 +56,21 @@ public final class RobotThreads {
               Thread thread = new Thread(task, prefix + robot);
               thread.setDaemon(true);
               return thread;
-            });
+            },
+            (task, pool) -> {
+              throw new RejectedExecutionException(
+                  pool.isShutdown() ? "the gateway ends" : MAX_WAITING + " commands are waiting");
+            }) {
+          @Override
+          public void execute(Runnable task) {
+            try {
+              super.execute(task);
+            } catch (OutOfMemoryError e) {
+              remove(task);
+              throw new RejectedExecutionException("no thread can be started", e);
+            }
+          }
+        };
     executor.allowCoreThreadTimeOut(true);
     return executor;
   }

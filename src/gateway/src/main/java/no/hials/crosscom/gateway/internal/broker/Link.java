@@ -4,9 +4,14 @@ import com.hivemq.client.mqtt.MqttClient;
 import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.MqttClientSslConfig;
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BiConsumer;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import no.hials.crosscom.cell.FileException;
+import no.hials.crosscom.gateway.internal.broker.Traffic.TopicFilter;
 import org.jspecify.annotations.Nullable;
 
 /** One connection to a broker, which does not reconnect. */
@@ -14,11 +19,38 @@ interface Link {
   /** The period of keep-alives; a broker that is silent for two periods counts as lost. */
   int KEEP_ALIVE_SECONDS = 7;
 
+  /** The maximum time until the broker answers the first message of a connection. */
+  int CONNECT_SECONDS = 20;
+
   /** Connects with a clean session: the broker keeps no messages for this client. */
   CompletableFuture<?> connect();
 
   /** Subscribes to a topic filter. */
-  CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver);
+  CompletableFuture<?> subscribe(TopicFilter filter);
+
+  /**
+   * Subscribes to several topic filters.
+   *
+   * @param inUse tells whether a message may be passed on
+   * @param refused called with each filter that the broker refuses, and the reason
+   * @return completes when the broker has answered all
+   */
+  default CompletableFuture<?> subscribe(
+      List<TopicFilter> filters, BooleanSupplier inUse, BiConsumer<String, Throwable> refused) {
+    return CompletableFuture.allOf(
+        filters.stream()
+            .map(
+                one ->
+                    subscribe(one.onlyIf(inUse))
+                        .handle(
+                            (result, failure) -> {
+                              if (failure != null) {
+                                refused.accept(one.filter(), failure);
+                              }
+                              return result;
+                            }))
+            .toArray(CompletableFuture<?>[]::new));
+  }
 
   /**
    * Publishes a message. The future completes when the broker has the message, as far as the
@@ -42,6 +74,9 @@ interface Link {
       throws IOException {
     MqttClientBuilder builder =
         MqttClient.builder()
+            .transportConfig()
+            .mqttConnectTimeout(CONNECT_SECONDS, TimeUnit.SECONDS)
+            .applyTransportConfig()
             .serverHost(settings.host())
             .serverPort(settings.port())
             .addDisconnectedListener(context -> lost.accept(context.getCause()));

@@ -13,11 +13,15 @@ import com.hivemq.client.mqtt.mqtt3.message.publish.Mqtt3Publish;
 import java.nio.ByteBuffer;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.Consumer;
+import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.gateway.internal.broker.Traffic.TopicFilter;
 import org.jspecify.annotations.Nullable;
 
 /** A connection with MQTT 3.1.1. */
 final class Mqtt3Link implements Link {
+  /** The maximum time until the broker confirms the will. */
+  private static final int WILL_SECONDS = 1;
+
   private final Mqtt3AsyncClient client;
   private final Publication will;
   private final Mqtt3Connect connect;
@@ -58,22 +62,24 @@ final class Mqtt3Link implements Link {
   }
 
   @Override
-  public CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver) {
+  public CompletableFuture<?> subscribe(TopicFilter filter) {
     return client
         .subscribeWith()
-        .topicFilter(filter)
-        .qos(Objects.requireNonNull(MqttQos.fromCode(qos)))
+        .topicFilter(filter.filter())
+        .qos(Objects.requireNonNull(MqttQos.fromCode(filter.qos())))
         .callback(
             message ->
-                receiver.accept(
-                    new Received(
-                        message.getTopic().toString(),
-                        ByteBuffer.wrap(message.getPayloadAsBytes()),
-                        message.isRetain(),
-                        "",
-                        null,
-                        null,
-                        null)))
+                filter
+                    .receiver()
+                    .accept(
+                        new Received(
+                            message.getTopic().toString(),
+                            ByteBuffer.wrap(message.getPayloadAsBytes()),
+                            message.isRetain(),
+                            "",
+                            null,
+                            null,
+                            null)))
         .send();
   }
 
@@ -90,6 +96,9 @@ final class Mqtt3Link implements Link {
   @Override
   public CompletableFuture<?> disconnectWithWill() {
     // MQTT 3.1.1 has no message for it
-    return publish(will).handle((sent, failure) -> true).thenCompose(tried -> client.disconnect());
+    return publish(will)
+        .orTimeout(WILL_SECONDS, TimeUnit.SECONDS)
+        .handle((sent, failure) -> true)
+        .thenCompose(tried -> client.disconnect());
   }
 }

@@ -18,7 +18,7 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.Consumer;
+import no.hials.crosscom.gateway.internal.broker.Traffic.TopicFilter;
 import org.jspecify.annotations.Nullable;
 
 /** A connection with MQTT 5. */
@@ -68,14 +68,14 @@ final class Mqtt5Link implements Link {
   }
 
   @Override
-  public CompletableFuture<?> subscribe(String filter, int qos, Consumer<Received> receiver) {
+  public CompletableFuture<?> subscribe(TopicFilter filter) {
     return client
         .subscribeWith()
-        .topicFilter(filter)
-        .qos(Objects.requireNonNull(MqttQos.fromCode(qos)))
+        .topicFilter(filter.filter())
+        .qos(Objects.requireNonNull(MqttQos.fromCode(filter.qos())))
         .retainHandling(Mqtt5RetainHandling.SEND)
         .retainAsPublished(true)
-        .callback(message -> receiver.accept(received(message)))
+        .callback(message -> filter.receiver().accept(received(message)))
         .send();
   }
 

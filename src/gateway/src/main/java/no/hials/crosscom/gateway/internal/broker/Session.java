@@ -5,9 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
-import java.util.List;
 import java.util.Objects;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
@@ -37,6 +35,9 @@ public final class Session implements AutoCloseable {
   /** The maximum number of messages that the broker has not confirmed. */
   private static final int MAX_IN_FLIGHT = 1000;
 
+  /** After this time without an answer that it owes, the broker is lost. */
+  private static final Duration LONGEST_SILENCE = Duration.ofSeconds(60);
+
   private static final int TASKS_AT_ONCE = 200;
   private static final long TICK = Duration.ofMillis(250).toNanos();
   private static final long PAUSE = Duration.ofMillis(50).toNanos();
@@ -46,10 +47,14 @@ public final class Session implements AutoCloseable {
   private final String name;
   private final Path folder;
   private final SessionFigures figures;
+  private final Duration longestSilence;
   private final Inbox inbox = new Inbox(INBOX);
   private final Queue<Runnable> events = new ConcurrentLinkedQueue<>();
   private final Thread thread;
   private volatile boolean closing;
+
+  /** The connection in use; written by the thread. */
+  private volatile @Nullable Link link;
 
   // used only by the thread
   private final Deque<Outgoing> inFlight = new ArrayDeque<>();
@@ -57,8 +62,11 @@ public final class Session implements AutoCloseable {
   private final Attempts attempts = new Attempts();
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
-  private @Nullable Link link;
   private boolean connected;
+
+  /** When the broker has last answered, or when it has begun to owe an answer. */
+  private long lastAnswer;
+
   private boolean forwarding;
   private long droppedStored;
   private long nextTick = System.nanoTime();
@@ -71,6 +79,12 @@ public final class Session implements AutoCloseable {
    * @param folder the folder of its store
    */
   public Session(BrokerSettings settings, String name, Path folder, Health health) {
+    this(settings, name, folder, health, LONGEST_SILENCE);
+  }
+
+  Session(
+      BrokerSettings settings, String name, Path folder, Health health, Duration longestSilence) {
+    this.longestSilence = longestSilence;
     this.settings = settings;
     this.name = name;
     this.folder = folder;
@@ -165,6 +179,9 @@ public final class Session implements AutoCloseable {
   }
 
   private void send(Publication message, Outgoing one) {
+    if (inFlight.isEmpty()) {
+      lastAnswer = System.nanoTime();
+    }
     inFlight.add(one);
     Link over = link;
     if (over == null) {
@@ -184,6 +201,7 @@ public final class Session implements AutoCloseable {
     if (over != link) {
       return;
     }
+    lastAnswer = System.nanoTime();
     Throwable cause = cause(failure);
     if (cause == null) {
       figures.published.inc();
@@ -270,6 +288,10 @@ public final class Session implements AutoCloseable {
       busy = true;
     }
     long now = System.nanoTime();
+    if ((!connected || !inFlight.isEmpty()) && now - lastAnswer > longestSilence.toNanos()) {
+      String silence = "the broker has not answered for " + longestSilence.toSeconds() + " s";
+      lost(link, new TimeoutException(silence));
+    }
     if (link == null && !closing && attempts.isDue(now)) {
       connect();
     }
@@ -341,9 +363,12 @@ public final class Session implements AutoCloseable {
           Link.create(settings, traffic().will(), failure -> post(() -> lost(self[0], failure)));
       self[0] = next;
       link = next;
+      lastAnswer = System.nanoTime();
       CompletableFuture<?> unused =
           next.connect()
-              .thenCompose(ack -> subscribe(next))
+              .thenCompose(
+                  ack ->
+                      next.subscribe(traffic().subscriptions(), () -> next == link, this::refused))
               .whenComplete(
                   (result, failure) ->
                       post(
@@ -361,28 +386,16 @@ public final class Session implements AutoCloseable {
     }
   }
 
-  private CompletableFuture<?> subscribe(Link over) {
-    List<CompletableFuture<?>> all = new ArrayList<>();
-    for (Traffic.TopicFilter one : traffic().subscriptions()) {
-      all.add(
-          over.subscribe(one.filter(), one.qos(), one.receiver())
-              .handle(
-                  (result, failure) -> {
-                    if (failure != null && !closing) {
-                      LOG.error(
-                          "MQTT {}: the broker refuses to subscribe {}: {}",
-                          name,
-                          one.filter(),
-                          failure.getMessage());
-                    }
-                    return result;
-                  }));
+  private void refused(String filter, Throwable failure) {
+    if (!closing) {
+      String reason = failure.getMessage();
+      LOG.error("MQTT {}: the broker refuses to subscribe {}: {}", name, filter, reason);
     }
-    return CompletableFuture.allOf(all.toArray(CompletableFuture<?>[]::new));
   }
 
   private void connected(Link over) {
     if (over != link) {
+      CompletableFuture<?> unused = over.disconnect().exceptionally(ended -> null);
       return;
     }
     connected = true;

@@ -1,6 +1,7 @@
 package no.hials.crosscom.gateway.internal.broker;
 
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 
 /** The messages of a session. All methods but the receivers are called on its thread. */
@@ -10,7 +11,19 @@ public interface Traffic {
    *
    * @param receiver called on a thread of the connection; it must not block
    */
-  record TopicFilter(String filter, int qos, Consumer<Received> receiver) {}
+  record TopicFilter(String filter, int qos, Consumer<Received> receiver) {
+    /** Returns a subscription that drops messages while a condition does not hold. */
+    TopicFilter onlyIf(BooleanSupplier condition) {
+      return new TopicFilter(
+          filter,
+          qos,
+          message -> {
+            if (condition.getAsBoolean()) {
+              receiver.accept(message);
+            }
+          });
+    }
+  }
 
   /** Returns the will of the next connection. */
   Publication will();

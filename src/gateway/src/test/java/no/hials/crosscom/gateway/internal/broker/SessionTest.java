@@ -1,0 +1,129 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import no.hials.crosscom.gateway.Health;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A session with a broker that stops answering in the middle. */
+@Timeout(30)
+class SessionTest {
+  private static final byte[] CONNACK = {0x20, 2, 0, 0};
+
+  @TempDir private Path folder;
+  private ServerSocket broker;
+  private Session session;
+
+  @BeforeEach
+  void listen() throws IOException {
+    broker = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    session.close();
+    broker.close();
+  }
+
+  /** Publishes a message over each connection. */
+  private static final class OneMessage implements Traffic {
+    private final List<TopicFilter> subscriptions;
+    private final AtomicReference<Session> session = new AtomicReference<>();
+
+    OneMessage(TopicFilter... subscriptions) {
+      this.subscriptions = List.of(subscriptions);
+    }
+
+    @Override
+    public Publication will() {
+      return new Publication("will", new byte[0], 1, false);
+    }
+
+    @Override
+    public List<TopicFilter> subscriptions() {
+      return subscriptions;
+    }
+
+    @Override
+    public void connected() {
+      session.get().publish(new Publication("topic", "text".getBytes(UTF_8), 1, false), null);
+    }
+
+    @Override
+    public void tick() {}
+
+    @Override
+    public boolean forward(StoredMessage message) {
+      return true;
+    }
+
+    @Override
+    public void forwarded() {}
+
+    @Override
+    public void closing() {}
+  }
+
+  private void start(Traffic.TopicFilter... subscriptions) {
+    BrokerSettings settings =
+        new BrokerSettings(
+            "127.0.0.1", broker.getLocalPort(), false, 3, null, null, null, null, 100_000);
+    session = new Session(settings, "test", folder, new Health(), Duration.ofSeconds(1));
+    OneMessage traffic = new OneMessage(subscriptions);
+    traffic.session.set(session);
+    session.start(traffic);
+  }
+
+  /** Waits until the client ends the connection. */
+  private static void awaitEnd(Socket connection) throws IOException {
+    connection.getInputStream().transferTo(OutputStream.nullOutputStream());
+  }
+
+  @Test
+  void anAttemptWithoutAnAnswerIsGivenUp() throws IOException {
+    start();
+    try (Socket first = broker.accept();
+        Socket second = broker.accept()) {
+      first.getOutputStream().write(CONNACK);
+
+      awaitEnd(first);
+      assertThat(second.isConnected()).isTrue();
+    }
+  }
+
+  @Test
+  void itConnectsAgainIfASubscriptionIsNotAnswered() throws IOException {
+    start(new Traffic.TopicFilter("set", 1, message -> {}));
+    try (Socket first = broker.accept()) {
+      first.getOutputStream().write(CONNACK);
+
+      awaitEnd(first);
+      broker.accept().close();
+    }
+  }
+
+  @Test
+  void itConnectsAgainIfAMessageIsNotConfirmed() throws IOException {
+    start();
+    try (Socket first = broker.accept()) {
+      first.getOutputStream().write(CONNACK);
+
+      awaitEnd(first);
+      broker.accept().close();
+    }
+  }
+}

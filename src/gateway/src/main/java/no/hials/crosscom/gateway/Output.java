@@ -22,6 +22,12 @@ public interface Output extends AutoCloseable {
   /** Called after the last update of a robot that was removed from the configuration. */
   void removed(RobotFeed robot);
 
+  /**
+   * Called before the gateway closes its robots: the output begins no more writes, and gives the
+   * running ones a short time to end.
+   */
+  default void endWrites() {}
+
   /** Stops the output. */
   @Override
   void close();

@@ -99,6 +99,33 @@ class CommandsIT extends BrokerTest {
   }
 
   @Test
+  void aCommandUnderWayEndsBeforeTheGateway() throws Exception {
+    Gateway started = startWithCommands();
+    CountDownLatch arrived = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    robot.fault(
+        request -> {
+          if (request.isWrite()) {
+            arrived.countDown();
+          }
+          return request.isWrite();
+        },
+        Fault.hold(released));
+    try (Observer observer = observer(broker)) {
+      observer.publish(SET, "20", false);
+      arrived.await();
+
+      Thread closing = new Thread(started::close);
+      closing.start();
+      await(() -> closing.getState() == Thread.State.TIMED_WAITING);
+      released.countDown();
+
+      observer.await(RESULT, "\"value\":\"20\",\"result\":\"done\"");
+      closing.join();
+    }
+  }
+
+  @Test
   void doesNotAnswerToATopicOfSparkplug() throws Exception {
     startWithCommands();
     String death = "spBv1.0/group/NDEATH/node";

@@ -30,9 +30,6 @@ public final class CommandQueue implements AutoCloseable {
       "not executed: it expired while it waited for others to end";
   private static final String ENDS = "not executed: the gateway ends";
 
-  /** The time for the answers to commands when the gateway ends. */
-  private static final Duration LONGEST_END = Duration.ofSeconds(2);
-
   private final GatewayContext context;
   private final LongSupplier nanoTime;
   private final Pauses pauses;
@@ -169,6 +166,6 @@ public final class CommandQueue implements AutoCloseable {
   public void close() {
     closed = true;
     pauses.close();
-    threads.end(LONGEST_END);
+    threads.end();
   }
 }

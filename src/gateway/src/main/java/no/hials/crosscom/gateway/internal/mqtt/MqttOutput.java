@@ -102,10 +102,15 @@ final class MqttOutput implements Output {
   }
 
   @Override
-  public void close() {
+  public void endWrites() {
     if (commands != null) {
       commands.close();
     }
+  }
+
+  @Override
+  public void close() {
+    endWrites();
     if (sparkplug != null) {
       sparkplug.session.beginClose();
     }

@@ -296,8 +296,13 @@ final class OpcUaOutput implements Output {
   }
 
   @Override
-  public void close() {
+  public void endWrites() {
     writes.close();
+  }
+
+  @Override
+  public void close() {
+    endWrites();
     subscriptions.shutdown();
     connections.shutdown();
     server.shutdown().join();

@@ -224,10 +224,10 @@ final class RobotWrites {
     threads.end(robot);
   }
 
-  /** Refuses all writes from now on. */
+  /** Refuses all writes from now on, and waits a short time for a running one. */
   void close() {
     closed = true;
     pauses.close();
-    threads.end(Duration.ZERO);
+    threads.end();
   }
 }

@@ -25,6 +25,9 @@ public final class RobotThreads {
   public static final String TOO_LATE =
       "it waited more than " + LONGEST_WAIT.toSeconds() + " s for others to end";
 
+  /** The time for the running writes when the gateway ends. */
+  private static final Duration LONGEST_END = Duration.ofSeconds(2);
+
   private static final long IDLE_SECONDS = 10;
 
   private final String prefix;
@@ -83,13 +86,9 @@ public final class RobotThreads {
     }
   }
 
-  /**
-   * Ends all threads after the tasks that they have, and waits for them.
-   *
-   * @param longest the maximum time to wait
-   */
-  public void end(Duration longest) {
-    long end = System.nanoTime() + longest.toNanos();
+  /** Ends all threads after the tasks that they have, and waits a short time for them. */
+  public void end() {
+    long end = System.nanoTime() + LONGEST_END.toNanos();
     threads.values().forEach(ThreadPoolExecutor::shutdown);
     try {
       for (ThreadPoolExecutor executor : threads.values()) {

@@ -823,7 +823,8 @@ class JogTest {
     assertThat(line.path("after").asText()).isEmpty();
   }
 
+  /** Returns X of a position, which has a type if it is the text of the controller. */
   private static double x(String position) {
-    return Double.parseDouble(position.substring(3, position.indexOf(',')));
+    return Double.parseDouble(position.replaceFirst("^\\{(\\w+: )?X ", "").split(",", 2)[0]);
   }
 }

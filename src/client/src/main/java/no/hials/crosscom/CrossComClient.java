@@ -155,14 +155,20 @@ public final class CrossComClient extends OriginalAccess {
    *
    * @param config the address and the options
    * @return the client, which may not be connected yet
-   * @throws CrossComConnectException if the {@link ClientRuntime} is closed
+   * @throws CrossComConnectException if the {@link ClientRuntime} is closed, or the system starts
+   *     no threads
    */
   public static CrossComClient lazy(ClientConfig config) throws CrossComException {
     if (config.runtime().isClosed()) {
       throw ConnectAttempt.failure(config, ConnectAttempt.runtimeClosed(null));
     }
     CrossComClient client = new CrossComClient(config, new ReconnectingConnection(config));
-    client.connection.start();
+    try {
+      client.connection.start();
+    } catch (OutOfMemoryError e) {
+      client.connection.close(ChangeReason.CLOSED_BY_PROGRAM);
+      throw ConnectAttempt.failure(config, e);
+    }
     return client;
   }
 

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  *
  * @param number the number of the sample, from 1
  * @param time when the reading began
+ * @param nanoTime the same, by {@link System#nanoTime}
  * @param duration how long reading all variables took
  * @param readings the result for each variable, in the order of {@link WatchConfig#names}
  * @param results the results for handles, for {@link #get}; empty if the watch is of names
@@ -32,6 +33,7 @@ import org.jspecify.annotations.Nullable;
 public record Sample(
     long number,
     Instant time,
+    long nanoTime,
     Duration duration,
     Map<String, Reading> readings,
     ReadResults results,
@@ -45,7 +47,7 @@ public record Sample(
     changed = Set.copyOf(changed);
   }
 
-  /** Creates a sample of a watch of names. */
+  /** Creates a sample of a watch of names, whose reading has just ended. */
   public Sample(
       long number,
       Instant time,
@@ -54,7 +56,16 @@ public record Sample(
       Set<String> changed,
       long missedPeriods,
       long failedPolls) {
-    this(number, time, duration, readings, ReadResults.NONE, changed, missedPeriods, failedPolls);
+    this(
+        number,
+        time,
+        System.nanoTime() - duration.toNanos(),
+        duration,
+        readings,
+        ReadResults.NONE,
+        changed,
+        missedPeriods,
+        failedPolls);
   }
 
   /**

@@ -119,7 +119,15 @@ final class Sampler {
       long missedNow = missedBefore - missedInSamples;
       publish(
           new Sample(
-              ++samples, time, duration, readings, results, changed, missedNow, failedSinceSample),
+              ++samples,
+              time,
+              startNanos,
+              duration,
+              readings,
+              results,
+              changed,
+              missedNow,
+              failedSinceSample),
           missedBefore);
     }
   }

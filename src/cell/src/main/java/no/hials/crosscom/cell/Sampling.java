@@ -313,6 +313,7 @@ public final class Sampling implements Closeable {
     return new Sample(
         sample.number(),
         latest,
+        sample.nanoTime(),
         rest.isNegative() ? Duration.ZERO : rest,
         sample.readings(),
         sample.results(),

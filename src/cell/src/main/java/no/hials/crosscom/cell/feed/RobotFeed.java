@@ -41,6 +41,7 @@ public final class RobotFeed implements Closeable {
   private final RobotConnection connection;
   private final Map<String, Held> held = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
   private final List<Watch> watches = new ArrayList<>();
+
   private volatile boolean connected;
   private volatile boolean closed;
 
@@ -241,7 +242,6 @@ public final class RobotFeed implements Closeable {
   }
 
   private void take(Sample sample) {
-    long start = System.nanoTime() - sample.duration().toNanos();
     List<Update> updates = new ArrayList<>();
     synchronized (this) {
       sample
@@ -251,7 +251,8 @@ public final class RobotFeed implements Closeable {
                 // the times of a sample are measured from its beginning: the clock does not matter
                 long offset = Duration.between(sample.time(), reading.time()).toNanos();
                 for (PlannedVariable variable : plan.readBy(read)) {
-                  Update update = update(held.get(variable.key()), reading, start + offset);
+                  Update update =
+                      update(held.get(variable.key()), reading, sample.nanoTime() + offset);
                   if (update != null) {
                     updates.add(update);
                   }

@@ -42,6 +42,9 @@ public final class RobotFeed implements Closeable {
   private final Map<String, Held> held = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
   private final List<Watch> watches = new ArrayList<>();
 
+  /** The readings left out before the last sample; guarded by the feed. */
+  private long missedBefore;
+
   private volatile boolean connected;
   private volatile boolean closed;
 
@@ -206,6 +209,11 @@ public final class RobotFeed implements Closeable {
     return watches.stream().mapToLong(Watch::missedPeriods).sum();
   }
 
+  /** Returns the number of readings left out until the last sample was read. */
+  public synchronized long missedBeforeLastSample() {
+    return missedBefore;
+  }
+
   /** Returns the number of readings that failed as a whole. */
   public long failedPolls() {
     return watches.stream().mapToLong(Watch::failedPolls).sum();
@@ -244,6 +252,7 @@ public final class RobotFeed implements Closeable {
   private void take(Sample sample) {
     List<Update> updates = new ArrayList<>();
     synchronized (this) {
+      missedBefore += sample.missedPeriods();
       sample
           .readings()
           .forEach(

@@ -166,7 +166,7 @@ public final class RobotSource implements Closeable {
                                 .reconnectBackoff(Duration.ofMillis(100), LONGEST_BACKOFF))),
             (robot, updates) -> {
               // in this order: a process that is frozen in between counts nothing twice
-              long missedPolls = robot.missedPolls();
+              long missedPolls = robot.missedBeforeLastSample();
               add(updates, missedPolls, allowed.getAsBoolean());
             });
     feed = opened;

@@ -58,6 +58,7 @@ public final class RobotSourceTask extends SourceTask {
   private @Nullable Item kept;
 
   private boolean opened;
+  private boolean failedToOpen;
   private boolean recovering;
   private long recoveringSince;
   private Moment lastPoll = Moment.now();
@@ -227,9 +228,8 @@ public final class RobotSourceTask extends SourceTask {
       }
       recovering = false;
     } else if (!opened) {
-      allowed = true;
-      opened = true;
-      robots.forEach(this::open);
+      opened = open();
+      allowed = opened;
     } else if (!allowed) {
       follow(own.time(ConnectorSettings.LEASE_RECOVERY), now);
     }
@@ -248,12 +248,20 @@ public final class RobotSourceTask extends SourceTask {
     }
   }
 
-  private void open(RobotSource robot) {
-    try {
-      robot.open(this::mayUse);
-    } catch (IOException e) {
-      throw new ConnectException(robot.name() + ": " + e.getMessage(), e);
+  /** Begins to read all robots; returns false if some need another attempt. */
+  private boolean open() {
+    for (RobotSource robot : robots) {
+      try {
+        robot.open(this::mayUse);
+      } catch (IOException e) {
+        if (!failedToOpen) {
+          LOG.warn("{} cannot be read yet, which is tried again: {}", robot.name(), e.getMessage());
+        }
+        failedToOpen = true;
+        return false;
+      }
     }
+    return true;
   }
 
   private SourceRecord record(ConnectorSettings own, Item item, Moment moment) {

@@ -149,11 +149,14 @@ public final class RobotSource implements Closeable {
   }
 
   /**
-   * Starts to read.
+   * Starts to read, unless it does already.
    *
    * @param allowed asked before each access
    */
   public void open(BooleanSupplier allowed) throws IOException {
+    if (feed != null) {
+      return;
+    }
     RobotFeed opened =
         RobotFeed.open(
             plan,

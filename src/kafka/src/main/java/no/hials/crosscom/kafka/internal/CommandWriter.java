@@ -105,7 +105,15 @@ public final class CommandWriter implements AutoCloseable {
     }
     List<Future<Map<SinkRecord, Optional<Exception>>>> writers = new ArrayList<>();
     robots.forEach(
-        (name, commands) -> writers.add(threads.submit(() -> write(name, commands, end))));
+        (name, commands) -> {
+          try {
+            writers.add(threads.submit(() -> write(name, commands, end)));
+          } catch (OutOfMemoryError e) {
+            Exception reason =
+                new ConnectException("not written: no thread can be started for " + name, e);
+            commands.keySet().forEach(record -> outcomes.put(record, Optional.of(reason)));
+          }
+        });
     ConnectException failure = null;
     for (Future<Map<SinkRecord, Optional<Exception>>> writer : writers) {
       try {

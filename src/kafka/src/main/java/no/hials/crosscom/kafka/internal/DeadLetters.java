@@ -65,7 +65,8 @@ public final class DeadLetters implements AutoCloseable {
    * Puts records on the topic with their reasons, and waits until they are there.
    *
    * @param longest the time after which no more records are put, except the first 10
-   * @return the records that are there, which are the first ones
+   * @return the records that are there, which are the first ones; none while no thread can be
+   *     started
    * @throws ConnectException if that is not certain
    */
   public List<SinkRecord> put(Map<SinkRecord, Exception> letters, Duration longest) {
@@ -76,23 +77,29 @@ public final class DeadLetters implements AutoCloseable {
       Map<SinkRecord, Exception> next = new LinkedHashMap<>();
       for (SinkRecord record :
           records.subList(number, Math.min(records.size(), number + AT_ONCE))) {
-        Exception why = brief(Objects.requireNonNull(letters.get(record)));
-        LOG.warn(
-            "{}-{}@{}: {}",
-            record.originalTopic(),
-            record.originalKafkaPartition(),
-            record.originalKafkaOffset(),
-            String.valueOf(why.getMessage()));
-        next.put(record, why);
+        next.put(record, brief(Objects.requireNonNull(letters.get(record))));
       }
-      putAtOnce(next);
+      Future<Boolean> sent;
+      try {
+        sent = thread.submit(() -> areSent(next));
+      } catch (OutOfMemoryError e) {
+        break; // nothing was sent, so that the next call can
+      }
+      next.forEach(
+          (record, why) ->
+              LOG.warn(
+                  "{}-{}@{}: {}",
+                  record.originalTopic(),
+                  record.originalKafkaPartition(),
+                  record.originalKafkaOffset(),
+                  String.valueOf(why.getMessage())));
+      await(sent);
       number += next.size();
     }
     return records.subList(0, number);
   }
 
-  private void putAtOnce(Map<SinkRecord, Exception> letters) {
-    Future<Boolean> sent = thread.submit(() -> areSent(letters));
+  private void await(Future<Boolean> sent) {
     try {
       if (!sent.get(patience.toMillis(), TimeUnit.MILLISECONDS)) {
         throw new ConnectException(

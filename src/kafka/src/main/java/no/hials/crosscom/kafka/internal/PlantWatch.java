@@ -55,7 +55,8 @@ public final class PlantWatch implements AutoCloseable {
         LOG.info("{} has changed: the tasks restart with it", file);
         changed.run();
       }
-    } catch (FileException | RuntimeException e) {
+    } catch (FileException | RuntimeException | Error e) {
+      // also an error, such as one of memory: otherwise this would be the last look
       complain(String.valueOf(e.getMessage()));
     }
   }

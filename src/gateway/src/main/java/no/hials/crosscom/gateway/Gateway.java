@@ -231,6 +231,7 @@ public final class Gateway implements AutoCloseable {
   @Override
   public synchronized void close() {
     timer.shutdownNow();
+    writes.end();
     outputs.values().forEach(one -> one.call(Output::endWrites));
     List.copyOf(robots.values()).forEach(this::remove);
     outputs.values().forEach(one -> one.call(Output::close));

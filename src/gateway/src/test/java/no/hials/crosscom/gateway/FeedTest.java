@@ -15,6 +15,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -389,6 +391,47 @@ class FeedTest {
 
     assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
     assertThat(lastAudit()).contains("unknown");
+  }
+
+  @Test
+  void aWriteThatWaitsForTheConnectionIsNotSentAfterTheEnd() throws Exception {
+    robot.variables().set("MYINT", "3");
+    start("variables = [\"$OV_PRO\"]", WRITABLE);
+    CountDownLatch arrived = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    robot.fault(
+        request -> {
+          if (request.isWrite()) {
+            arrived.countDown();
+          }
+          return request.isWrite();
+        },
+        Fault.hold(released));
+    Writes writes = writes();
+    CompletableFuture<Void> running = write(writes, "7");
+    arrived.await();
+    CompletableFuture<Void> waiting = write(writes, "8");
+
+    writes.end();
+    released.countDown();
+
+    running.get();
+    assertThatThrownBy(waiting::get)
+        .hasRootCauseInstanceOf(RefusedWriteException.class)
+        .hasMessageContaining("was not written: the gateway ends");
+    assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+  }
+
+  private CompletableFuture<Void> write(Writes writes, String value) {
+    return CompletableFuture.runAsync(
+        () -> {
+          try {
+            writes.write("mqtt", plant, feed, "MYINT", value, SOON);
+          } catch (IOException e) {
+            throw new CompletionException(e);
+          }
+        },
+        task -> new Thread(task).start());
   }
 
   @Test

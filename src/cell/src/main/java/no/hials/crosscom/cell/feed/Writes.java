@@ -22,10 +22,16 @@ import no.hials.crosscom.protocol.value.KrlValue;
  */
 public final class Writes {
   private final AuditLog audit;
+  private volatile boolean ended;
 
   /** Creates an object that adds its lines to an audit log. */
   public Writes(AuditLog audit) {
     this.audit = audit;
+  }
+
+  /** Refuses all writes that have not been sent yet. */
+  public void end() {
+    ended = true;
   }
 
   /**
@@ -63,7 +69,7 @@ public final class Writes {
     }
   }
 
-  private static String send(RobotFeed robot, String name, String text, Duration sendWithin)
+  private String send(RobotFeed robot, String name, String text, Duration sendWithin)
       throws IOException {
     String target = robot.name() + ": " + name;
     String late = target + " was not written: it waited too long for the connection to the robot";
@@ -74,10 +80,13 @@ public final class Writes {
     CompletableFuture<String> answer =
         robot
             .client()
-            .async(client -> client.writeText(name, text), () -> System.nanoTime() - latest < 0);
+            .async(
+                client -> client.writeText(name, text),
+                () -> !ended && System.nanoTime() - latest < 0);
     try {
       return AsyncCalls.await(answer, sendWithin);
     } catch (NotSentException | CancellationException e) {
+      checkNotEnded(target);
       throw new LateWriteException(late);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
@@ -113,9 +122,9 @@ public final class Writes {
   }
 
   /** Refuses a write that the configuration does not allow. */
-  private static void check(Plant plant, RobotFeed robot, String name, String text)
-      throws IOException {
+  private void check(Plant plant, RobotFeed robot, String name, String text) throws IOException {
     String target = robot.name() + ": " + name;
+    checkNotEnded(target);
     String readOnly = robot.plan().robot().readOnlyBy();
     if (readOnly != null) {
       throw new RefusedWriteException(target + " was not written: " + readOnly);
@@ -141,6 +150,12 @@ public final class Writes {
           target + " was not written: must be " + allowed + ", is " + text);
     }
     robot.client().checkText(name, text);
+  }
+
+  private void checkNotEnded(String target) throws RefusedWriteException {
+    if (ended) {
+      throw new RefusedWriteException(target + " was not written: the gateway ends");
+    }
   }
 
   /** Returns the value of a text, which is not a structure or an array. */

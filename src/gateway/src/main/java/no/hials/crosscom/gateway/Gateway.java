@@ -85,10 +85,19 @@ public final class Gateway implements AutoCloseable {
     private final Object settings;
     private final Output output;
     private volatile boolean failing;
+    private boolean ready;
 
     RunningOutput(Object settings, Output output) {
       this.settings = settings;
       this.output = output;
+    }
+
+    /** Called when the robots are added; only the first call has an effect. */
+    void ready() throws IOException {
+      if (!ready) {
+        output.ready();
+        ready = true;
+      }
     }
 
     void call(Consumer<Output> call) {
@@ -165,6 +174,14 @@ public final class Gateway implements AutoCloseable {
         } catch (IOException e) {
           failure = e;
         }
+      }
+    }
+    for (Map.Entry<String, RunningOutput> one : List.copyOf(outputs.entrySet())) {
+      try {
+        one.getValue().ready();
+      } catch (IOException e) {
+        outputs.remove(one.getKey());
+        failure = e;
       }
     }
     if (failure != null) {

@@ -1,5 +1,6 @@
 package no.hials.crosscom.gateway;
 
+import java.io.IOException;
 import java.util.List;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -9,6 +10,14 @@ import no.hials.crosscom.cell.feed.Update;
  * output: its methods do not block, and its failures do not affect them.
  */
 public interface Output extends AutoCloseable {
+  /**
+   * Called once, when the robots of the configuration are added: from now on the other system can
+   * use the output.
+   *
+   * @throws IOException if it cannot start; it is closed then
+   */
+  default void ready() throws IOException {}
+
   /** Called before the first update of a robot. */
   void added(RobotFeed robot);
 

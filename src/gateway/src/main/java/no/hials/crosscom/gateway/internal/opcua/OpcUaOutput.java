@@ -72,6 +72,10 @@ final class OpcUaOutput implements Output {
   private final CompanionTypes types;
   private final RobotsNamespace namespace;
   private final Subscriptions subscriptions;
+
+  /** Whether the server was started, also if it could not listen. */
+  private volatile boolean started;
+
   private final Map<String, RobotNodes> robots = new ConcurrentHashMap<>();
 
   OpcUaOutput(OpcUaSettings settings, GatewayContext context) throws IOException {
@@ -111,8 +115,6 @@ final class OpcUaOutput implements Output {
     server.updateReferenceTypeTree();
     server.updateObjectTypeTree();
     server.getSessionManager().addSessionListener(new Sessions());
-    start();
-    LOG.info("OPC UA: opc.tcp://{}:{}", settings.host(), port);
   }
 
   /**
@@ -150,9 +152,12 @@ final class OpcUaOutput implements Output {
             });
   }
 
-  private void start() throws IOException {
+  @Override
+  public void ready() throws IOException {
+    started = true;
     try {
       server.startup().get();
+      LOG.info("OPC UA: opc.tcp://{}:{}", settings.host(), port);
     } catch (ExecutionException e) {
       close();
       throw new IOException(
@@ -305,7 +310,9 @@ final class OpcUaOutput implements Output {
     endWrites();
     subscriptions.shutdown();
     connections.shutdown();
-    server.shutdown().join();
+    if (started) {
+      server.shutdown().join();
+    }
     namespace.shutdown();
     types.shutdown();
     executor.shutdown();

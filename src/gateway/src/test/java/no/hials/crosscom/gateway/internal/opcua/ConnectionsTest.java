@@ -60,6 +60,7 @@ class ConnectionsTest {
             new OpcUaSettings("127.0.0.1", 0, true, List.of(), true, true),
             new OneRobotContext(plant, feed, folder, new Health()),
             now::get);
+    server.ready();
   }
 
   @AfterEach

@@ -62,7 +62,8 @@ final class ConfigFollower {
     current = next;
     try {
       gateway.apply(next);
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException | Error e) {
+      // also an error: the gateway goes on with what it has
       checksToRetry = CHECKS_TO_RETRY;
       fail(
           "the configuration has changed, but a part of it cannot start, which is tried again: "

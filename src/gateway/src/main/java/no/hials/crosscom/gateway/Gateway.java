@@ -67,7 +67,7 @@ public final class Gateway implements AutoCloseable {
     Gateway gateway = new Gateway(config, kinds, opener);
     try {
       gateway.apply(config);
-    } catch (IOException | RuntimeException e) {
+    } catch (IOException | RuntimeException | Error e) {
       gateway.close();
       throw e;
     }
@@ -148,6 +148,7 @@ public final class Gateway implements AutoCloseable {
    * @throws IOException if an output or a robot cannot start; the others are as configured
    */
   public synchronized void apply(GatewayConfig config) throws IOException {
+    checkThreads();
     plant = config.plant();
     Map<String, PollPlan> plans = new LinkedHashMap<>();
     plant.plans().forEach(plan -> plans.put(plan.robot().name(), plan));
@@ -162,7 +163,7 @@ public final class Gateway implements AutoCloseable {
         apply(kind, config.outputs().get(kind.table()));
       } catch (IOException e) {
         failure = e;
-      } catch (RuntimeException e) {
+      } catch (RuntimeException | Error e) {
         // as in a call of an output: it must not end the gateway
         failure = new IOException("[" + kind.table() + "] cannot start: " + e, e);
       }
@@ -173,6 +174,8 @@ public final class Gateway implements AutoCloseable {
           add(plan);
         } catch (IOException e) {
           failure = e;
+        } catch (OutOfMemoryError e) {
+          failure = new IOException(plan.robot().name() + " cannot start: " + e.getMessage(), e);
         }
       }
     }
@@ -186,6 +189,18 @@ public final class Gateway implements AutoCloseable {
     }
     if (failure != null) {
       throw failure;
+    }
+  }
+
+  /**
+   * Throws an exception if the system starts no threads now: the parts of an output that are there
+   * when it starts none of its own could not be ended.
+   */
+  private static void checkThreads() throws IOException {
+    try {
+      new Thread(() -> {}, "gateway-check").start();
+    } catch (OutOfMemoryError e) {
+      throw new IOException(e.getMessage(), e);
     }
   }
 

@@ -64,8 +64,18 @@ class GatewayTest {
       if (settings.equals("cannot start") || occupied) {
         throw new IOException("the output cannot start");
       }
+      if (settings.equals("has no thread")) {
+        throw new OutOfMemoryError("simulated");
+      }
       events.add("open " + settings);
       return new Output() {
+        @Override
+        public void ready() {
+          if (settings.equals("waits")) {
+            events.add("ready");
+          }
+        }
+
         @Override
         public void added(RobotFeed robot) {
           events.add("added " + robot.name());
@@ -268,5 +278,27 @@ class GatewayTest {
 
     assertThat(follower.check()).isTrue();
     assertThat(events).endsWith("close a", "open a", "added first");
+  }
+
+  @Test
+  void anOutputIsReadyWhenTheRobotsAreAdded() throws Exception {
+    start(config("\"$OV_PRO\"", "waits", first, second));
+
+    assertThat(events).hasSize(4).endsWith("ready");
+
+    gateway.apply(config("\"$OV_PRO\"", "waits", first));
+
+    assertThat(events).hasSize(5);
+  }
+
+  @Test
+  void anErrorOfANewOutputDoesNotEndTheGateway() throws Exception {
+    start(config("\"$OV_PRO\"", "old", first));
+    GatewayConfig next = config("\"$OV_PRO\"", "has no thread", first);
+    ConfigFollower follower =
+        new ConfigFollower(gateway, config("\"$OV_PRO\"", "old", first), () -> next);
+
+    assertThat(follower.check()).isFalse();
+    assertThat(gateway.robots()).hasSize(1);
   }
 }

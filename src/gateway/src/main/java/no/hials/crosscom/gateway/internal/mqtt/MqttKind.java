@@ -15,6 +15,7 @@ import no.hials.crosscom.gateway.GatewayContext;
 import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.OutputKind;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
+import no.hials.crosscom.gateway.internal.broker.FolderLock;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import org.jspecify.annotations.Nullable;
 
@@ -220,6 +221,13 @@ public final class MqttKind implements OutputKind<MqttSettings> {
 
   @Override
   public Output open(MqttSettings settings, GatewayContext context) throws IOException {
-    return new MqttOutput(settings, context);
+    Path folder = context.folder().resolve("mqtt-store");
+    FolderLock lock = FolderLock.of(folder);
+    try {
+      return new MqttOutput(settings, context, folder, lock);
+    } catch (RuntimeException | Error e) {
+      lock.close();
+      throw e;
+    }
   }
 }

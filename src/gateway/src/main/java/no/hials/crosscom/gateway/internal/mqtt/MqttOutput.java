@@ -1,6 +1,5 @@
 package no.hials.crosscom.gateway.internal.mqtt;
 
-import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.UUID;
@@ -31,13 +30,18 @@ final class MqttOutput implements Output {
   /** The connection for Sparkplug, since a connection has only one will. */
   private record Sparkplug(Session session, SparkplugTraffic traffic) {}
 
-  MqttOutput(MqttSettings settings, GatewayContext context) throws IOException {
+  /**
+   * Connects in the background.
+   *
+   * @param folder the folder of the stores
+   * @param lock the lock of the folder, which it releases at the end
+   */
+  MqttOutput(MqttSettings settings, GatewayContext context, Path folder, FolderLock lock) {
+    this.lock = lock;
     BrokerSettings broker = settings.broker();
     if (broker.clientId() == null) {
       broker = broker.withClientId("jopenshowvar-" + UUID.randomUUID().toString().substring(0, 8));
     }
-    Path folder = context.folder().resolve("mqtt-store");
-    lock = FolderLock.of(folder);
     session = new Session(broker, "plain", folder.resolve("plain"), context.health());
     commands = settings.commands() ? new CommandQueue(context) : null;
     traffic = plainTraffic(settings, context, commands);
@@ -45,7 +49,6 @@ final class MqttOutput implements Output {
     if (commands != null && broker.version() == 3) {
       LOG.warn("MQTT: with MQTT 3.1.1, a retained command may be executed; MQTT 5 has no such gap");
     }
-    session.start(traffic);
     SparkplugId id = settings.sparkplug();
     if (id == null) {
       sparkplug = null;
@@ -62,7 +65,15 @@ final class MqttOutput implements Output {
                   commands,
                   robot -> context.plant().robots().containsKey(robot)));
       LOG.info("MQTT: publishes as the Sparkplug node {}/{}", id.group(), id.node());
-      second.start(sparkplug.traffic);
+    }
+    try {
+      session.start(traffic);
+      if (sparkplug != null) {
+        sparkplug.session.start(sparkplug.traffic);
+      }
+    } catch (OutOfMemoryError e) {
+      close(); // no thread can be started
+      throw e;
     }
   }
 

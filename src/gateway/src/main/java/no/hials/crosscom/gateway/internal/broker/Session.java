@@ -161,6 +161,11 @@ public final class Session implements AutoCloseable {
     droppedStored += number;
   }
 
+  /** Counts a new message that is not published. */
+  public void dropped(String reason) {
+    figures.dropped(reason, 1);
+  }
+
   /** Removes a stored message that is not published. */
   public void skipStored(StoredMessage stored) {
     Outgoing one = new Outgoing(null, stored);

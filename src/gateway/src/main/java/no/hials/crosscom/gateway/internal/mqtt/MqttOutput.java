@@ -10,6 +10,7 @@ import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
 import no.hials.crosscom.gateway.internal.broker.CommandQueue;
 import no.hials.crosscom.gateway.internal.broker.FolderLock;
+import no.hials.crosscom.gateway.internal.broker.Publication;
 import no.hials.crosscom.gateway.internal.broker.Session;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
@@ -83,9 +84,17 @@ final class MqttOutput implements Output {
       return new PlainTraffic(settings, session, context, null);
     }
     TopicCommands topicCommands =
-        new TopicCommands(
-            settings, executor, message -> session.submit(1, () -> session.publish(message, null)));
+        new TopicCommands(settings, executor, message -> session.submit(1, () -> answer(message)));
     return new PlainTraffic(settings, session, context, topicCommands::receive);
+  }
+
+  /** Publishes the answer to a command, unless too many messages wait for the broker. */
+  private void answer(Publication message) {
+    if (session.hasRoom()) {
+      boolean unused = session.publish(message, null);
+    } else if (session.isConnected()) {
+      session.dropped("queue");
+    }
   }
 
   @Override

@@ -3,9 +3,11 @@ package no.hials.crosscom.gateway.internal.broker;
 import com.hivemq.client.mqtt.MqttClient;
 import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.MqttClientSslConfig;
+import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
 import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiConsumer;
 import java.util.function.BooleanSupplier;
@@ -18,6 +20,9 @@ import org.jspecify.annotations.Nullable;
 interface Link {
   /** The period of keep-alives; a broker that is silent for two periods counts as lost. */
   int KEEP_ALIVE_SECONDS = 7;
+
+  /** The topic filter of questions, which has no subscription. */
+  String NO_SUBSCRIPTION = "jopenshowvar/round-trip";
 
   /** The maximum time until the broker answers the first message of a connection. */
   int CONNECT_SECONDS = 20;
@@ -58,6 +63,18 @@ interface Link {
    */
   CompletableFuture<?> publish(Publication message);
 
+  /** Returns a future that completes when the broker has handled what was sent before. */
+  CompletableFuture<?> roundTrip();
+
+  /**
+   * Publishes a message. The future completes when the broker has the message, also if the quality
+   * of service does not confirm it.
+   */
+  default CompletableFuture<?> publishConfirmed(Publication message) {
+    CompletableFuture<?> sent = publish(message);
+    return message.qos() > 0 ? sent : sent.thenCompose(unused -> roundTrip());
+  }
+
   /** Disconnects, so that the broker does not publish the will. */
   CompletableFuture<?> disconnect();
 
@@ -97,6 +114,22 @@ interface Link {
     return settings.version() == 5
         ? new Mqtt5Link(builder, settings.user(), password, will)
         : new Mqtt3Link(builder, settings.user(), password, will);
+  }
+
+  /** Returns the failure of a step of a future. */
+  static @Nullable Throwable cause(@Nullable Throwable failure) {
+    return failure instanceof CompletionException && failure.getCause() != null
+        ? failure.getCause()
+        : failure;
+  }
+
+  /** Returns why a connection was lost or not made. */
+  static String reason(Throwable failure) {
+    Throwable cause = failure.getCause();
+    return String.valueOf(
+        failure instanceof ConnectionFailedException && cause != null
+            ? cause.getMessage()
+            : failure.getMessage());
   }
 
   private static @Nullable String password(BrokerSettings settings) throws FileException {

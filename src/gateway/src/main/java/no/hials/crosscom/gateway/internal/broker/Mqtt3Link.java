@@ -25,6 +25,7 @@ final class Mqtt3Link implements Link {
   private final Mqtt3AsyncClient client;
   private final Publication will;
   private final Mqtt3Connect connect;
+  private final RoundTrips roundTrips;
 
   Mqtt3Link(
       MqttClientBuilder builder,
@@ -33,6 +34,7 @@ final class Mqtt3Link implements Link {
       Publication will) {
     client = builder.useMqttVersion3().buildAsync();
     this.will = will;
+    roundTrips = new RoundTrips(() -> client.unsubscribeWith().topicFilter(NO_SUBSCRIPTION).send());
     Mqtt3ConnectBuilder connecting =
         Mqtt3Connect.builder()
             .cleanSession(true)
@@ -86,6 +88,11 @@ final class Mqtt3Link implements Link {
   @Override
   public CompletableFuture<?> publish(Publication message) {
     return client.publish(message(message));
+  }
+
+  @Override
+  public CompletableFuture<?> roundTrip() {
+    return roundTrips.next();
   }
 
   @Override

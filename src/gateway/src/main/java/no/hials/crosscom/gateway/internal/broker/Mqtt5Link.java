@@ -5,6 +5,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5UnsubAckException;
 import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuth;
 import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuthBuilder;
 import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5Connect;
@@ -18,6 +19,7 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import no.hials.crosscom.gateway.internal.broker.Traffic.TopicFilter;
 import org.jspecify.annotations.Nullable;
 
@@ -28,6 +30,7 @@ final class Mqtt5Link implements Link {
 
   private final Mqtt5AsyncClient client;
   private final Mqtt5Connect connect;
+  private final RoundTrips roundTrips = new RoundTrips(this::ask);
 
   Mqtt5Link(
       MqttClientBuilder builder,
@@ -100,6 +103,26 @@ final class Mqtt5Link implements Link {
   @Override
   public CompletableFuture<?> publish(Publication message) {
     return client.publish(message(message));
+  }
+
+  @Override
+  public CompletableFuture<?> roundTrip() {
+    return roundTrips.next();
+  }
+
+  private CompletableFuture<?> ask() {
+    return client
+        .unsubscribeWith()
+        .topicFilter(NO_SUBSCRIPTION)
+        .send()
+        .handle(
+            (answer, failure) -> {
+              // a refusal is an answer, too
+              if (failure != null && !(Link.cause(failure) instanceof Mqtt5UnsubAckException)) {
+                throw new CompletionException(Link.cause(failure));
+              }
+              return true;
+            });
   }
 
   @Override

@@ -17,4 +17,9 @@ final class Outgoing {
     this.spare = spare;
     this.stored = stored;
   }
+
+  /** Returns whether the message is published again if the broker does not get it. */
+  boolean isKept() {
+    return spare != null || stored != null;
+  }
 }

@@ -1,6 +1,5 @@
 package no.hials.crosscom.gateway.internal.broker;
 
-import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -9,7 +8,6 @@ import java.util.Deque;
 import java.util.Objects;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CompletionException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
@@ -193,7 +191,7 @@ public final class Session implements AutoCloseable {
       return;
     }
     CompletableFuture<?> unused =
-        over.publish(message)
+        (one.isKept() ? over.publishConfirmed(message) : over.publish(message))
             .whenComplete((result, failure) -> post(() -> sent(over, message, one, failure)));
   }
 
@@ -207,7 +205,7 @@ public final class Session implements AutoCloseable {
       return;
     }
     lastAnswer = System.nanoTime();
-    Throwable cause = cause(failure);
+    Throwable cause = Link.cause(failure);
     if (cause == null) {
       figures.published.inc();
       one.done = true;
@@ -220,12 +218,6 @@ public final class Session implements AutoCloseable {
     } else {
       lost(over, cause);
     }
-  }
-
-  private static @Nullable Throwable cause(@Nullable Throwable failure) {
-    return failure instanceof CompletionException && failure.getCause() != null
-        ? failure.getCause()
-        : failure;
   }
 
   /** Removes the oldest finished messages, and confirms them to the store. */
@@ -378,7 +370,7 @@ public final class Session implements AutoCloseable {
                   (result, failure) ->
                       post(
                           () -> {
-                            Throwable cause = cause(failure);
+                            Throwable cause = Link.cause(failure);
                             if (cause == null) {
                               connected(next);
                             } else {
@@ -425,12 +417,7 @@ public final class Session implements AutoCloseable {
     if (over == null || over != link) {
       return;
     }
-    Throwable cause = failure.getCause();
-    String reason =
-        String.valueOf(
-            failure instanceof ConnectionFailedException && cause != null
-                ? cause.getMessage()
-                : failure.getMessage());
+    String reason = Link.reason(failure);
     boolean was = connected;
     connected = false;
     link = null;

@@ -39,8 +39,11 @@ class SessionTest {
     broker.close();
   }
 
-  /** Publishes a message over each connection. */
+  /**
+   * Publishes a message over each connection, and once more if the broker may not have handled it.
+   */
   private static final class OneMessage implements Traffic {
+    private int qos = 1;
     private final List<TopicFilter> subscriptions;
     private final AtomicReference<Session> session = new AtomicReference<>();
 
@@ -60,7 +63,12 @@ class SessionTest {
 
     @Override
     public void connected() {
-      session.get().publish(new Publication("topic", "text".getBytes(UTF_8), 1, false), null);
+      byte[] payload = "text".getBytes(UTF_8);
+      session
+          .get()
+          .publish(
+              new Publication("topic", payload, qos, false),
+              () -> new StoredMessage("topic", payload));
     }
 
     @Override
@@ -68,6 +76,7 @@ class SessionTest {
 
     @Override
     public boolean forward(StoredMessage message) {
+      session.get().publishStored(new Publication("again", new byte[0], qos, false), message);
       return true;
     }
 
@@ -79,11 +88,14 @@ class SessionTest {
   }
 
   private void start(Traffic.TopicFilter... subscriptions) {
+    start(new OneMessage(subscriptions));
+  }
+
+  private void start(OneMessage traffic) {
     BrokerSettings settings =
         new BrokerSettings(
             "127.0.0.1", broker.getLocalPort(), false, 3, null, null, null, null, 100_000);
     session = new Session(settings, "test", folder, new Health(), Duration.ofSeconds(1));
-    OneMessage traffic = new OneMessage(subscriptions);
     traffic.session.set(session);
     session.start(traffic);
   }
@@ -113,6 +125,25 @@ class SessionTest {
 
       awaitEnd(first);
       broker.accept().close();
+    }
+  }
+
+  @Test
+  void aMessageWithQos0IsPublishedAgainIfTheBrokerMayNotHaveHandledIt() throws IOException {
+    OneMessage traffic = new OneMessage();
+    traffic.qos = 0;
+    start(traffic);
+    try (Socket first = broker.accept()) {
+      first.getOutputStream().write(CONNACK);
+      awaitEnd(first);
+    }
+    try (Socket second = broker.accept()) {
+      second.getOutputStream().write(CONNACK);
+
+      StringBuilder text = new StringBuilder();
+      while (text.indexOf("again") < 0) {
+        text.append((char) second.getInputStream().read());
+      }
     }
   }
 

@@ -21,9 +21,13 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import no.hials.crosscom.ClientConfig;
+import no.hials.crosscom.ClientRuntime;
+import no.hials.crosscom.CrossComClient;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.cell.AuditLog;
 import no.hials.crosscom.cell.RobotConnection;
@@ -95,6 +99,10 @@ class FeedTest {
   }
 
   private void start(String group, String more) throws IOException {
+    start(group, more, RobotConnection::openLazily);
+  }
+
+  private void start(String group, String more, RobotConnection.Opener opener) throws IOException {
     String text =
         """
         [robots.cell1]
@@ -109,11 +117,7 @@ class FeedTest {
         """
             .formatted(robot.host(), robot.port(), group, more);
     plant = PlantFile.read(TomlTable.parse(Path.of("plant.toml"), text), Map.of());
-    feed =
-        RobotFeed.open(
-            plant.plans().get(0),
-            RobotConnection::openLazily,
-            (source, some) -> updates.addAll(some));
+    feed = RobotFeed.open(plant.plans().get(0), opener, (source, some) -> updates.addAll(some));
     feed.start();
   }
 
@@ -281,6 +285,40 @@ class FeedTest {
     assertThat(late.variable().name()).isEqualTo("MYREAL");
     assertThat(late.value()).isEqualTo(KrlValue.parse("1.0"));
     assertThat(late.reason()).isEqualTo("the controller has not answered in time");
+  }
+
+  @Test
+  void aValueThatWaitedTooLongForAThreadIsStale() throws Exception {
+    robot.variables().set("MYINT", "1");
+    CountDownLatch blocked = new CountDownLatch(1);
+    CountDownLatch released = new CountDownLatch(1);
+    try (ClientRuntime runtime = ClientRuntime.create(cfg -> cfg.listenerThreads(1));
+        CrossComClient other =
+            new CrossComClient(
+                ClientConfig.create(
+                    robot.host(), cfg -> cfg.port(robot.port()).runtime(runtime)))) {
+      other.watch(
+          Duration.ofMillis(20),
+          sample -> {
+            blocked.countDown();
+            Latches.await(released);
+          },
+          "MYINT");
+      Latches.await(blocked);
+      start(
+          "variables = [\"MYINT\"]",
+          "",
+          (one, settings) ->
+              RobotConnection.open(one, settings.andThen(cfg -> cfg.runtime(runtime))));
+      while (feed.polls() == 0) {
+        Thread.onSpinWait();
+      }
+      LockSupport.parkNanos(Duration.ofMillis(2 * 20 + 1100).toNanos());
+      released.countDown();
+
+      assertThat(updates.take().quality()).isEqualTo(Quality.STALE);
+      next(is("MYINT", 1));
+    }
   }
 
   @Test

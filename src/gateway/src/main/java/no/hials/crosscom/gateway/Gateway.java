@@ -161,35 +161,38 @@ public final class Gateway implements AutoCloseable {
     for (OutputKind<?> kind : kinds) {
       try {
         apply(kind, config.outputs().get(kind.table()));
-      } catch (IOException e) {
-        failure = e;
-      } catch (RuntimeException | Error e) {
+      } catch (IOException | RuntimeException | Error e) {
         // as in a call of an output: it must not end the gateway
-        failure = new IOException("[" + kind.table() + "] cannot start: " + e, e);
+        failure = cannotStart("[" + kind.table() + "]", e);
       }
     }
     for (PollPlan plan : plans.values()) {
       if (!robots.containsKey(plan.robot().name())) {
         try {
           add(plan);
-        } catch (IOException e) {
-          failure = e;
-        } catch (OutOfMemoryError e) {
-          failure = new IOException(plan.robot().name() + " cannot start: " + e.getMessage(), e);
+        } catch (IOException | OutOfMemoryError e) {
+          failure = cannotStart(plan.robot().name(), e);
         }
       }
     }
     for (Map.Entry<String, RunningOutput> one : List.copyOf(outputs.entrySet())) {
       try {
         one.getValue().ready();
-      } catch (IOException e) {
+      } catch (IOException | RuntimeException | Error e) {
         outputs.remove(one.getKey());
-        failure = e;
+        one.getValue().call(Output::close);
+        failure = cannotStart("[" + one.getKey() + "]", e);
       }
     }
     if (failure != null) {
       throw failure;
     }
+  }
+
+  private static IOException cannotStart(String what, Throwable why) {
+    return why instanceof IOException known
+        ? known
+        : new IOException(what + " cannot start: " + why, why);
   }
 
   /**

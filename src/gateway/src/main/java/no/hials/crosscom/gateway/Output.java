@@ -14,7 +14,7 @@ public interface Output extends AutoCloseable {
    * Called once, when the robots of the configuration are added: from now on the other system can
    * use the output.
    *
-   * @throws IOException if it cannot start; it is closed then
+   * @throws IOException if it cannot start; the gateway closes it then
    */
   default void ready() throws IOException {}
 

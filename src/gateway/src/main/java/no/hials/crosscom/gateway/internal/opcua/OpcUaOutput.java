@@ -159,11 +159,9 @@ final class OpcUaOutput implements Output {
       server.startup().get();
       LOG.info("OPC UA: opc.tcp://{}:{}", settings.host(), port);
     } catch (ExecutionException e) {
-      close();
       throw new IOException(
           "[opcua] cannot listen on " + settings.host() + ":" + port + ": is the port in use?", e);
     } catch (InterruptedException e) {
-      close();
       Thread.currentThread().interrupt();
       throw new IOException("interrupted", e);
     }

@@ -89,6 +89,8 @@ public final class DaemonPool extends ThreadPoolExecutor {
           timer.schedule(this::tryAgain, RETRY_MILLIS, TimeUnit.MILLISECONDS);
     } catch (RejectedExecutionException e) {
       LOG.debug("the runtime is closed");
+    } catch (OutOfMemoryError e) {
+      LOG.debug("the timer tries again as soon as it has a thread itself");
     }
   }
 

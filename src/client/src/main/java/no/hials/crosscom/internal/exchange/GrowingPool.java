@@ -118,6 +118,8 @@ public final class GrowingPool implements Executor {
         Future<?> unused = timer.schedule(this::check, PATIENCE_NANOS, TimeUnit.NANOSECONDS);
       } catch (RejectedExecutionException e) {
         checking.set(false); // closed: the threads that there are run the rest
+      } catch (OutOfMemoryError e) {
+        LOG.debug("the timer checks as soon as it has a thread itself");
       }
     }
   }

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -42,8 +43,8 @@ public final class RobotFeed implements Closeable {
   private final Map<String, Held> held = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
   private final List<Watch> watches = new ArrayList<>();
 
-  /** The readings left out before the last sample; guarded by the feed. */
-  private long missedBefore;
+  /** The time of the last reading of each period; guarded by the feed. */
+  private final Map<Duration, Instant> lastReadings = new HashMap<>();
 
   private volatile boolean connected;
   private volatile boolean closed;
@@ -175,7 +176,7 @@ public final class RobotFeed implements Closeable {
               cfg -> cfg.period(poll.getKey()).missedSamples(true).bufferSize(BUFFER));
       Watch watch = connection.client().watch(config);
       watches.add(watch);
-      watch.addListener(this::take);
+      watch.addListener(sample -> take(poll.getKey(), sample));
     }
   }
 
@@ -207,11 +208,6 @@ public final class RobotFeed implements Closeable {
   /** Returns the number of readings left out because the robot was too slow. */
   public long missedPolls() {
     return watches.stream().mapToLong(Watch::missedPeriods).sum();
-  }
-
-  /** Returns the number of readings left out until the last sample was read. */
-  public synchronized long missedBeforeLastSample() {
-    return missedBefore;
   }
 
   /** Returns the number of readings that failed as a whole. */
@@ -249,10 +245,14 @@ public final class RobotFeed implements Closeable {
     }
   }
 
-  private void take(Sample sample) {
+  private void take(Duration period, Sample sample) {
     List<Update> updates = new ArrayList<>();
     synchronized (this) {
-      missedBefore += sample.missedPeriods();
+      Instant before = lastReadings.put(period, sample.time());
+      if (sample.missedPeriods() > 0 && !closed) {
+        Instant from = before == null ? sample.time() : before;
+        listener.missed(this, sample.missedPeriods(), from, sample.time());
+      }
       sample
           .readings()
           .forEach(

@@ -10,6 +10,7 @@ import java.util.Objects;
 import java.util.Queue;
 import java.util.function.BooleanSupplier;
 import no.hials.crosscom.cell.RobotConnection;
+import no.hials.crosscom.cell.feed.FeedListener;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.cell.feed.Quality;
 import no.hials.crosscom.cell.feed.RobotFeed;
@@ -59,9 +60,6 @@ public final class RobotSource implements Closeable {
   private Instant lastTime;
   private @Nullable OpenGap gap;
   private long lost;
-
-  /** The periods that the feed had left out at the last sample. */
-  private long leftOut;
 
   /** The periods left out between samples, which are not reported yet. */
   private @Nullable Gap slow;
@@ -167,10 +165,16 @@ public final class RobotSource implements Closeable {
                         cfg ->
                             cfg.accessIf(() -> mayAccess(allowed))
                                 .reconnectBackoff(Duration.ofMillis(100), LONGEST_BACKOFF))),
-            (robot, updates) -> {
-              // in this order: a process that is frozen in between counts nothing twice
-              long missedPolls = robot.missedBeforeLastSample();
-              add(updates, missedPolls, allowed.getAsBoolean());
+            new FeedListener() {
+              @Override
+              public void updated(RobotFeed robot, List<Update> updates) {
+                add(updates, allowed.getAsBoolean());
+              }
+
+              @Override
+              public void missed(RobotFeed robot, long number, Instant from, Instant to) {
+                addMissed(number, from, to, allowed.getAsBoolean());
+              }
             });
     feed = opened;
     opened.start();
@@ -209,22 +213,22 @@ public final class RobotSource implements Closeable {
         : update;
   }
 
-  private synchronized void add(List<Update> updates, long missedPolls, boolean used) {
-    Instant before = lastTime;
-    boolean counted = gap != null && gap.unreadSince != null;
+  private synchronized void add(List<Update> updates, boolean used) {
     updates.forEach(update -> add(used ? update : unused(update), used));
-    // without the lease, the time counts: the periods left out belong to it
-    if (!used || (lastTime.equals(before) && !counted)) {
+  }
+
+  private synchronized void addMissed(long number, Instant from, Instant to, boolean used) {
+    // without the lease, the time counts: the periods left out belong to its gap
+    if (!used || (gap != null && gap.unreadSince != null)) {
       return;
     }
-    // the gap has counted those of its time
-    long left = counted ? 0 : missedPolls - leftOut;
-    leftOut = missedPolls;
-    if (left > 0) {
-      slow =
-          slow == null
-              ? new Gap(before, lastTime, left, 0, TOO_SLOW)
-              : new Gap(slow.from(), lastTime, slow.missed() + left, 0, TOO_SLOW);
+    Instant end = to.isBefore(from) ? from : to; // the clock was set back
+    if (slow == null) {
+      slow = new Gap(from, end, number, 0, TOO_SLOW);
+    } else {
+      Instant begin = from.isBefore(slow.from()) ? from : slow.from();
+      Instant last = end.isAfter(slow.to()) ? end : slow.to();
+      slow = new Gap(begin, last, slow.missed() + number, 0, TOO_SLOW);
     }
   }
 

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
+import no.hials.crosscom.cell.feed.Quality;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.internal.broker.CommandQueue;
@@ -153,6 +154,8 @@ public final class SparkplugTraffic implements Traffic {
       } else if (device.isBorn() && !touched.isEmpty()) {
         data(device, touched);
       }
+    } else if (updates.stream().anyMatch(it -> it.quality() == Quality.GOOD)) {
+      store(device, touched); // read before the connection to the robot ended
     }
     if (!robot.isConnected()) {
       device.lost();

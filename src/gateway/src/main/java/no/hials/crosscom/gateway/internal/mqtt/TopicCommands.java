@@ -25,6 +25,10 @@ final class TopicCommands {
   private static final int REMEMBERED = 1000;
 
   private static final int LONGEST_PAYLOAD = 10_000;
+
+  /** The maximum length of a text in an answer. */
+  private static final int LONGEST_TEXT = 1000;
+
   private static final JsonFactory JSON = new JsonFactory();
 
   private final Topics topics;
@@ -131,13 +135,18 @@ final class TopicCommands {
     }
   }
 
+  /** Returns a text, or the beginning of a long one: answers must not fill the memory. */
+  private static String beginning(String text) {
+    return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT) + "...";
+  }
+
   private void answer(Received command, String value, String result) {
     byte[] payload =
         ValueJson.object(
             json -> {
               json.writeStringField("time", ValueJson.time(Instant.now()));
-              json.writeStringField("value", value);
-              json.writeStringField("result", result);
+              json.writeStringField("value", beginning(value));
+              json.writeStringField("result", beginning(result));
             });
     results.accept(new Publication(Topics.result(command.topic()), payload, qos, false));
     String response = command.responseTopic();

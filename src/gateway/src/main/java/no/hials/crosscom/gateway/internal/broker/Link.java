@@ -63,8 +63,12 @@ interface Link {
    */
   CompletableFuture<?> publish(Publication message);
 
-  /** Returns a future that completes when the broker has handled what was sent before. */
-  CompletableFuture<?> roundTrip();
+  /**
+   * Returns a future that completes when the broker has handled what was sent before.
+   *
+   * @param size the size of the message that was sent
+   */
+  CompletableFuture<?> roundTrip(int size);
 
   /**
    * Publishes a message. The future completes when the broker has the message, also if the quality
@@ -72,7 +76,9 @@ interface Link {
    */
   default CompletableFuture<?> publishConfirmed(Publication message) {
     CompletableFuture<?> sent = publish(message);
-    return message.qos() > 0 ? sent : sent.thenCompose(unused -> roundTrip());
+    return message.qos() > 0
+        ? sent
+        : sent.thenCompose(unused -> roundTrip(message.payload().remaining()));
   }
 
   /** Disconnects, so that the broker does not publish the will. */

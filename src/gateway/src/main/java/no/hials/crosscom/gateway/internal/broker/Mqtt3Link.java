@@ -91,8 +91,8 @@ final class Mqtt3Link implements Link {
   }
 
   @Override
-  public CompletableFuture<?> roundTrip() {
-    return roundTrips.next();
+  public CompletableFuture<?> roundTrip(int size) {
+    return roundTrips.next(size);
   }
 
   @Override

@@ -106,8 +106,8 @@ final class Mqtt5Link implements Link {
   }
 
   @Override
-  public CompletableFuture<?> roundTrip() {
-    return roundTrips.next();
+  public CompletableFuture<?> roundTrip(int size) {
+    return roundTrips.next(size);
   }
 
   private CompletableFuture<?> ask() {

@@ -11,11 +11,26 @@ final class Outgoing {
   /** The stored message; null if the message is new. */
   final @Nullable StoredMessage stored;
 
+  /** The size of the message if only a round trip confirms it; otherwise 0. */
+  final int bytes;
+
   boolean done;
 
-  Outgoing(@Nullable Supplier<StoredMessage> spare, @Nullable StoredMessage stored) {
+  Outgoing(
+      Publication message,
+      @Nullable Supplier<StoredMessage> spare,
+      @Nullable StoredMessage stored) {
     this.spare = spare;
     this.stored = stored;
+    this.bytes = message.qos() == 0 && isKept() ? message.payload().remaining() : 0;
+  }
+
+  /** Creates a stored message that is not published. */
+  Outgoing(StoredMessage stored) {
+    this.spare = null;
+    this.stored = stored;
+    this.bytes = 0;
+    this.done = true;
   }
 
   /** Returns whether the message is published again if the broker does not get it. */

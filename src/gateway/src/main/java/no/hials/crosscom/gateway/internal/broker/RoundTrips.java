@@ -5,13 +5,23 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks a broker whether it has handled what was sent before. One question at a time is under way;
- * what is sent meanwhile shares the next one. Thread-safe.
+ * Asks a broker whether it has handled what was sent before. The messages sent since a question
+ * share the next one, which is asked when the others are answered, or after some kilobytes, so that
+ * a slow connection has answers all the time. Thread-safe.
  */
 final class RoundTrips {
+  /** A question is asked after as many bytes, also if others are not answered. */
+  private static final int BYTES = 25_000;
+
   private final Supplier<CompletableFuture<?>> question;
-  private @Nullable CompletableFuture<@Nullable Void> running;
+
+  /**
+   * Completes with the answer to the next question; null if nothing was sent since the last one.
+   */
   private @Nullable CompletableFuture<@Nullable Void> next;
+
+  private long bytes;
+  private int running;
 
   /**
    * Creates an object without questions.
@@ -22,30 +32,34 @@ final class RoundTrips {
     this.question = question;
   }
 
-  /** Returns a future that completes when the broker has handled what was sent before the call. */
-  synchronized CompletableFuture<@Nullable Void> next() {
+  /**
+   * Returns a future that completes when the broker has handled what was sent before the call.
+   *
+   * @param size the size of the message that was sent
+   */
+  synchronized CompletableFuture<@Nullable Void> next(int size) {
     CompletableFuture<@Nullable Void> result = next == null ? new CompletableFuture<>() : next;
-    if (running == null) {
+    next = result;
+    bytes += size;
+    if (running == 0 || bytes >= BYTES) {
       ask(result);
-    } else {
-      next = result;
     }
     return result;
   }
 
   private void ask(CompletableFuture<@Nullable Void> result) {
-    running = result;
+    next = null;
+    bytes = 0;
+    running++;
     CompletableFuture<?> unused =
         question.get().whenComplete((answer, failure) -> ended(result, failure));
   }
 
   private void ended(CompletableFuture<@Nullable Void> result, @Nullable Throwable failure) {
     synchronized (this) {
-      CompletableFuture<@Nullable Void> waiting = next;
-      running = null;
-      next = null;
-      if (waiting != null) {
-        ask(waiting);
+      running--;
+      if (next != null && running == 0) {
+        ask(next);
       }
     }
     if (failure == null) {

@@ -3,8 +3,6 @@ package no.hials.crosscom.gateway.internal.broker;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Objects;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
@@ -30,9 +28,6 @@ public final class Session implements AutoCloseable {
   /** The maximum number of updates that wait for the thread: a second of a large plant. */
   private static final int INBOX = 20_000;
 
-  /** The maximum number of messages that the broker has not confirmed. */
-  private static final int MAX_IN_FLIGHT = 1000;
-
   /** After this time without an answer that it owes, the broker is lost. */
   private static final Duration LONGEST_SILENCE = Duration.ofSeconds(60);
 
@@ -55,7 +50,7 @@ public final class Session implements AutoCloseable {
   private volatile @Nullable Link link;
 
   // used only by the thread
-  private final Deque<Outgoing> inFlight = new ArrayDeque<>();
+  private final InFlight inFlight = new InFlight();
   private final Refusals refusals;
   private final Attempts attempts = new Attempts();
   private @Nullable MessageStore store;
@@ -122,7 +117,7 @@ public final class Session implements AutoCloseable {
    */
   public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
     if (hasRoom() || (connected && spare == null)) {
-      send(message, new Outgoing(spare, null));
+      send(message, new Outgoing(message, spare, null));
       return true;
     }
     if (spare != null) {
@@ -133,7 +128,7 @@ public final class Session implements AutoCloseable {
 
   /** Returns whether a message can be sent now; call it only on the thread of the session. */
   public boolean hasRoom() {
-    return connected && inFlight.size() < MAX_IN_FLIGHT;
+    return connected && inFlight.hasRoom();
   }
 
   /** Stores a message, to be forwarded later; call it only on the thread of the session. */
@@ -150,7 +145,7 @@ public final class Session implements AutoCloseable {
 
   /** Publishes a stored message; for {@link Traffic#forward}. */
   public void publishStored(Publication message, StoredMessage stored) {
-    send(message, new Outgoing(null, stored));
+    send(message, new Outgoing(message, null, stored));
   }
 
   /** Counts stored messages or values that can no longer be published. */
@@ -166,9 +161,7 @@ public final class Session implements AutoCloseable {
 
   /** Removes a stored message that is not published. */
   public void skipStored(StoredMessage stored) {
-    Outgoing one = new Outgoing(null, stored);
-    one.done = true;
-    inFlight.add(one);
+    inFlight.add(new Outgoing(stored));
     confirm();
   }
 
@@ -222,8 +215,7 @@ public final class Session implements AutoCloseable {
 
   /** Removes the oldest finished messages, and confirms them to the store. */
   private void confirm() {
-    for (Outgoing first = inFlight.peek(); first != null && first.done; first = inFlight.peek()) {
-      inFlight.remove();
+    for (Outgoing first = inFlight.pollDone(); first != null; first = inFlight.pollDone()) {
       if (first.stored != null) {
         store().confirm(first.stored);
       }
@@ -309,13 +301,13 @@ public final class Session implements AutoCloseable {
 
   /** Returns whether an update can be published or, if too many wait, must be stored. */
   private boolean mayTake() {
-    return !connected || inFlight.size() < MAX_IN_FLIGHT || closing || inbox.isHalfFull();
+    return !connected || inFlight.hasRoom() || closing || inbox.isHalfFull();
   }
 
   /** Sends stored messages. They get half of the places, so that new messages do not wait. */
   private boolean forward() {
     boolean busy = false;
-    while (connected && !closing && forwarding && inFlight.size() < MAX_IN_FLIGHT / 2) {
+    while (connected && !closing && forwarding && inFlight.isHalfEmpty()) {
       StoredMessage next = store().next();
       if (next == null) {
         break;

@@ -19,9 +19,9 @@ class RoundTripsTest {
 
   @Test
   void whatIsSentDuringAQuestionSharesTheNextOne() {
-    CompletableFuture<?> first = trips.next();
-    CompletableFuture<?> second = trips.next();
-    CompletableFuture<?> third = trips.next();
+    CompletableFuture<?> first = trips.next(1);
+    CompletableFuture<?> second = trips.next(1);
+    CompletableFuture<?> third = trips.next(1);
     assertThat(questions).hasSize(1);
 
     questions.get(0).complete(null);
@@ -34,14 +34,33 @@ class RoundTripsTest {
 
     assertThat(second).isCompleted();
     assertThat(third).isCompleted();
-    assertThat(trips.next()).isNotDone();
+    assertThat(trips.next(1)).isNotDone();
     assertThat(questions).hasSize(3);
   }
 
   @Test
+  void manyBytesHaveAQuestionOfTheirOwn() {
+    CompletableFuture<?> first = trips.next(1);
+    CompletableFuture<?> second = trips.next(24_999);
+    assertThat(questions).hasSize(1);
+    CompletableFuture<?> third = trips.next(1);
+    assertThat(questions).hasSize(2);
+
+    questions.get(0).complete(null);
+
+    assertThat(first).isCompleted();
+    assertThat(second).isNotDone();
+
+    questions.get(1).complete(null);
+
+    assertThat(second).isCompleted();
+    assertThat(third).isCompleted();
+  }
+
+  @Test
   void aQuestionThatFailsIsNoAnswer() {
-    CompletableFuture<?> first = trips.next();
-    CompletableFuture<?> second = trips.next();
+    CompletableFuture<?> first = trips.next(1);
+    CompletableFuture<?> second = trips.next(1);
 
     questions.get(0).completeExceptionally(new IllegalStateException("lost"));
 

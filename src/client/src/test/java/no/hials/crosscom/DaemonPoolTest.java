@@ -27,21 +27,15 @@ class DaemonPoolTest {
     timer.shutdownNow();
   }
 
-  /** A thread that cannot be started while the system has no more. */
-  private final class ScarceThread extends Thread {
-    ScarceThread(Runnable task) {
-      super(task, "scarce");
-      setDaemon(true);
+  /** Fails as a thread does that cannot be started. */
+  private Thread thread(Runnable task) {
+    if (exhausted) {
+      failedStarts.countDown();
+      throw new OutOfMemoryError("unable to create native thread");
     }
-
-    @Override
-    public synchronized void start() {
-      if (exhausted) {
-        failedStarts.countDown();
-        throw new OutOfMemoryError("unable to create native thread");
-      }
-      super.start();
-    }
+    Thread thread = new Thread(task, "scarce");
+    thread.setDaemon(true);
+    return thread;
   }
 
   private DaemonPool pool(int few, int most, RejectedExecutionHandler handler) {
@@ -49,7 +43,7 @@ class DaemonPoolTest {
         few,
         most,
         few == 0 ? new SynchronousQueue<>() : new LinkedBlockingQueue<>(),
-        ScarceThread::new,
+        this::thread,
         handler,
         timer);
   }

@@ -29,6 +29,15 @@ class RobotSourceTest {
   private final SampleRecords records = new SampleRecords();
 
   private PollPlan plan() throws Exception {
+    return plan("");
+  }
+
+  /**
+   * Returns the plan of a robot that is read every 10 ms.
+   *
+   * @param more more groups
+   */
+  private PollPlan plan(String more) throws Exception {
     String text =
         """
         [robots.r1]
@@ -37,8 +46,11 @@ class RobotSourceTest {
         [groups.all]
         variables = ["$OV_PRO"]
         period = "10ms"
+        %s
+        [limits]
+        load = 100
         """
-            .formatted(robot.host(), robot.port());
+            .formatted(robot.host(), robot.port(), more);
     return PlantText.read("plant.toml", text).plans().get(0);
   }
 
@@ -171,6 +183,25 @@ class RobotSourceTest {
               "the robot or this computer was too slow for the period, or the process was frozen");
       assertThat(gap.from()).isAfterOrEqualTo(first.time());
       assertThat(gap.to()).isAfter(gap.from());
+    }
+  }
+
+  @Test
+  void aGapOfASlowRobotHasTheTimeOfItsReadingsWithTwoPeriodsToo() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    String slowGroup = "[groups.other]\nvariables = [\"$MODE_OP\"]\nperiod = \"200ms\"";
+    try (RobotSource source = new RobotSource(plan(slowGroup), queue, null)) {
+      source.open(() -> true);
+      next(queue);
+      AtomicBoolean slow = new AtomicBoolean(true);
+      robot.fault(request -> slow.getAndSet(false), Fault.delay(Duration.ofMillis(1100)));
+      Gap gap = null;
+      while (gap == null || gap.missed() < 100) {
+        source.check();
+        Item item = queue.poll();
+        gap = item == null ? null : item.gap();
+      }
+      assertThat(Duration.between(gap.from(), gap.to())).isGreaterThan(Duration.ofSeconds(1));
     }
   }
 

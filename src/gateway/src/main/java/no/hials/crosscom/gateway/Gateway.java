@@ -230,7 +230,12 @@ public final class Gateway implements AutoCloseable {
     outputs.values().forEach(one -> one.call(output -> output.added(feed)));
     // if the robot is off, its first updates came before the outputs knew it
     feed.repeat();
-    feed.start();
+    try {
+      feed.start();
+    } catch (IOException | OutOfMemoryError e) {
+      remove(feed); // the next attempt begins anew
+      throw e;
+    }
   }
 
   private void passOn(RobotFeed robot, List<Update> updates) {

@@ -253,7 +253,7 @@ public final class RobotSourceTask extends SourceTask {
     for (RobotSource robot : robots) {
       try {
         robot.open(this::mayUse);
-      } catch (IOException e) {
+      } catch (IOException | OutOfMemoryError e) {
         if (!failedToOpen) {
           LOG.warn("{} cannot be read yet, which is tried again: {}", robot.name(), e.getMessage());
         }

@@ -176,8 +176,13 @@ public final class RobotSource implements Closeable {
                 addMissed(number, from, to, allowed.getAsBoolean());
               }
             });
+    try {
+      opened.start();
+    } catch (IOException | OutOfMemoryError e) {
+      opened.close(); // the next attempt begins anew
+      throw e;
+    }
     feed = opened;
-    opened.start();
   }
 
   private boolean mayAccess(BooleanSupplier allowed) {

@@ -164,6 +164,25 @@ class CommandsIT extends BrokerTest {
   }
 
   @Test
+  void refusesACommandWithTooMuchCorrelationData() throws Exception {
+    startWithCommands();
+    try (Observer observer = observer(broker)) {
+      observer.publish(
+          Mqtt5Publish.builder()
+              .topic(SET)
+              .payload("20".getBytes(UTF_8))
+              .responseTopic("answers")
+              .correlationData(new byte[1000])
+              .build());
+      observer.publish(SET, "21", false);
+      observer.await(RESULT, "\"value\":\"21\",\"result\":\"done\"");
+
+      assertThat(observer.on(RESULT)).hasSize(1);
+    }
+    assertThat(robot.requests()).filteredOn(RecordedRequest::isWrite).hasSize(1);
+  }
+
+  @Test
   void refusesToWriteToARobotThatIsReadOnly() throws Exception {
     broker = Mosquitto.open(folder);
     start("read-only = true\n\n" + READ + mqtt(broker, "commands = true"));

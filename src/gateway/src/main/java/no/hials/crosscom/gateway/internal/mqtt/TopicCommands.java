@@ -26,7 +26,7 @@ final class TopicCommands {
 
   private static final int LONGEST_PAYLOAD = 10_000;
 
-  /** The maximum length of a text in an answer. */
+  /** The maximum length of a text in an answer, and of its topics with the correlation data. */
   private static final int LONGEST_TEXT = 1000;
 
   private static final JsonFactory JSON = new JsonFactory();
@@ -84,7 +84,10 @@ final class TopicCommands {
         refusal = String.valueOf(e.getMessage());
       }
     }
-    answer(message, text, commands.refused(who, robot, variable, refusal));
+    String result = commands.refused(who, robot, beginning(variable), refusal);
+    if (hasShortAddress(message)) {
+      answer(message, text, result);
+    }
   }
 
   private @Nullable String refusal(Received message) {
@@ -93,6 +96,9 @@ final class TopicCommands {
     }
     if (message.payload().remaining() > LONGEST_PAYLOAD) {
       return "the command is longer than " + LONGEST_PAYLOAD + " bytes";
+    }
+    if (!hasShortAddress(message)) {
+      return "the topics and the correlation data are longer than " + LONGEST_TEXT + " bytes";
     }
     ByteBuffer correlation = message.correlation();
     String responseTopic = message.responseTopic();
@@ -105,6 +111,16 @@ final class TopicCommands {
       }
     }
     return null;
+  }
+
+  /** Returns whether the topics and the correlation data of many commands fit into the memory. */
+  private static boolean hasShortAddress(Received message) {
+    String response = message.responseTopic();
+    ByteBuffer correlation = message.correlation();
+    return message.topic().length()
+            + (response == null ? 0 : response.length())
+            + (correlation == null ? 0 : correlation.remaining())
+        <= LONGEST_TEXT;
   }
 
   /** Returns the value of a command as KRL writes it. */

@@ -233,7 +233,7 @@ public final class Gateway implements AutoCloseable {
     try {
       feed.start();
     } catch (IOException | OutOfMemoryError e) {
-      remove(feed); // the next attempt begins anew
+      remove(feed); // the next attempt opens it again
       throw e;
     }
   }

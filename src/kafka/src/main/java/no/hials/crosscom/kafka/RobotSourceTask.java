@@ -228,6 +228,7 @@ public final class RobotSourceTask extends SourceTask {
       }
       recovering = false;
     } else if (!opened) {
+      allowed = true; // before the robots are opened, which begin at once
       opened = open();
       allowed = opened;
     } else if (!allowed) {

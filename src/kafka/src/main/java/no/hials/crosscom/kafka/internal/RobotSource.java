@@ -179,7 +179,7 @@ public final class RobotSource implements Closeable {
     try {
       opened.start();
     } catch (IOException | OutOfMemoryError e) {
-      opened.close(); // the next attempt begins anew
+      opened.close(); // the next attempt opens it again
       throw e;
     }
     feed = opened;

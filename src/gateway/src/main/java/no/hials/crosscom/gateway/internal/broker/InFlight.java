@@ -37,14 +37,14 @@ final class InFlight {
     bytes += message.bytes;
   }
 
-  /** Removes and returns the oldest message; null if there is none. */
+  /** Removes and returns the oldest message, or returns null. */
   @Nullable Outgoing poll() {
     Outgoing first = messages.poll();
     bytes -= first == null ? 0 : first.bytes;
     return first;
   }
 
-  /** Removes and returns the oldest message if it is done; otherwise returns null. */
+  /** Removes and returns the oldest message if it is done, or returns null. */
   @Nullable Outgoing pollDone() {
     Outgoing first = messages.peek();
     return first != null && first.done ? poll() : null;

@@ -277,7 +277,8 @@ public final class Session implements AutoCloseable {
       busy = true;
     }
     long now = System.nanoTime();
-    if ((!connected || !inFlight.isEmpty()) && now - lastAnswer > longestSilence.toNanos()) {
+    boolean owesAnswer = link != null && !(connected && inFlight.isEmpty());
+    if (owesAnswer && now - lastAnswer > longestSilence.toNanos()) {
       String silence = "the broker has not answered for " + longestSilence.toSeconds() + " s";
       lost(link, new TimeoutException(silence));
     }

@@ -435,16 +435,8 @@ class FeedTest {
   void aWriteThatWaitsForTheConnectionIsNotSentAfterTheEnd() throws Exception {
     robot.variables().set("MYINT", "3");
     start("variables = [\"$OV_PRO\"]", WRITABLE);
-    CountDownLatch arrived = new CountDownLatch(1);
     CountDownLatch released = new CountDownLatch(1);
-    robot.fault(
-        request -> {
-          if (request.isWrite()) {
-            arrived.countDown();
-          }
-          return request.isWrite();
-        },
-        Fault.hold(released));
+    CountDownLatch arrived = Latches.holdWrites(robot, released);
     Writes writes = writes();
     CompletableFuture<Void> running = write(writes, "7");
     arrived.await();

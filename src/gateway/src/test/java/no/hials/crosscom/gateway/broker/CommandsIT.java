@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.gateway.Gateway;
+import no.hials.crosscom.gateway.Latches;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.RecordedRequest;
 import org.junit.jupiter.api.Test;
@@ -101,16 +102,8 @@ class CommandsIT extends BrokerTest {
   @Test
   void aCommandUnderWayEndsBeforeTheGateway() throws Exception {
     Gateway started = startWithCommands();
-    CountDownLatch arrived = new CountDownLatch(1);
     CountDownLatch released = new CountDownLatch(1);
-    robot.fault(
-        request -> {
-          if (request.isWrite()) {
-            arrived.countDown();
-          }
-          return request.isWrite();
-        },
-        Fault.hold(released));
+    CountDownLatch arrived = Latches.holdWrites(robot, released);
     try (Observer observer = observer(broker)) {
       observer.publish(SET, "20", false);
       arrived.await();

@@ -96,15 +96,7 @@ class RobotWritesTest {
 
   /** Begins a write that the robot answers when it is released. */
   private CompletableFuture<Long> beginSlowWrite() {
-    CountDownLatch arrived = new CountDownLatch(1);
-    server.fault(
-        it -> {
-          if (it.isWrite()) {
-            arrived.countDown();
-          }
-          return it.isWrite();
-        },
-        Fault.hold(released));
+    CountDownLatch arrived = Latches.holdWrites(server, released);
     CompletableFuture<Long> slow = write(request(), "2");
     Latches.await(arrived);
     return slow;

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import no.hials.crosscom.ConnectionEvent;
 import no.hials.crosscom.CrossComClient;
@@ -41,7 +42,7 @@ public final class RobotFeed implements Closeable {
   private final FeedListener listener;
   private final RobotConnection connection;
   private final Map<String, Held> held = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
-  private final List<Watch> watches = new ArrayList<>();
+  private final List<Watch> watches = new CopyOnWriteArrayList<>();
 
   /** The time of the last reading of each period; guarded by the feed. */
   private final Map<Duration, Instant> lastReadings = new HashMap<>();

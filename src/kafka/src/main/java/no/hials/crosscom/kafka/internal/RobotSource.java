@@ -39,8 +39,6 @@ public final class RobotSource implements Closeable {
   /** The robot is connected again soon after its lease was lost and is held again. */
   private static final Duration LONGEST_BACKOFF = Duration.ofSeconds(1);
 
-  private static final long REPORT_NANOS = 1_000_000_000;
-
   private final PollPlan plan;
   private final Queue<Item> queue;
   private final long run;
@@ -49,9 +47,7 @@ public final class RobotSource implements Closeable {
   // used by the thread of the task only
   private long sequence;
   private long lastMillis;
-  private long droppedBefore;
   private long missed;
-  private long reported = System.nanoTime();
 
   /** When the robot was last allowed to be accessed; 0 before the first time. */
   private volatile long lastAccess;
@@ -61,8 +57,8 @@ public final class RobotSource implements Closeable {
   private @Nullable OpenGap gap;
   private long lost;
 
-  /** The periods left out between samples, which are not reported yet. */
-  private @Nullable Gap slow;
+  /** The samples that the feed has dropped, as counted in the gaps. */
+  private long dropped;
 
   /**
    * A sample or a gap that waits for Connect.
@@ -89,6 +85,7 @@ public final class RobotSource implements Closeable {
     /** The end of the time without readings, if no sample comes before. */
     private Instant unreadUntil = Instant.MAX;
 
+    private long missed;
     private long lost;
 
     OpenGap(Instant from, String reason) {
@@ -168,7 +165,7 @@ public final class RobotSource implements Closeable {
             new FeedListener() {
               @Override
               public void updated(RobotFeed robot, List<Update> updates) {
-                add(updates, allowed.getAsBoolean());
+                add(robot.droppedSamples(), updates, allowed.getAsBoolean());
               }
 
               @Override
@@ -218,7 +215,8 @@ public final class RobotSource implements Closeable {
         : update;
   }
 
-  private synchronized void add(List<Update> updates, boolean used) {
+  private synchronized void add(long droppedSamples, List<Update> updates, boolean used) {
+    addDropped(droppedSamples); // before the samples that end the gap
     updates.forEach(update -> add(used ? update : unused(update), used));
   }
 
@@ -227,13 +225,14 @@ public final class RobotSource implements Closeable {
     if (!used || (gap != null && gap.unreadSince != null)) {
       return;
     }
-    Instant end = to.isBefore(from) ? from : to; // the clock was set back
-    if (slow == null) {
-      slow = new Gap(from, end, number, 0, TOO_SLOW);
-    } else {
-      Instant begin = from.isBefore(slow.from()) ? from : slow.from();
-      Instant last = end.isAfter(slow.to()) ? end : slow.to();
-      slow = new Gap(begin, last, slow.missed() + number, 0, TOO_SLOW);
+    // the clock may have been set back
+    openGap(from.isBefore(to) ? from : to, TOO_SLOW).missed += number;
+  }
+
+  private void addDropped(long droppedSamples) {
+    if (droppedSamples > dropped) {
+      lose(droppedSamples - dropped, "this computer was too slow for the samples");
+      dropped = droppedSamples;
     }
   }
 
@@ -255,11 +254,20 @@ public final class RobotSource implements Closeable {
   }
 
   private void lose(long count, String reason) {
-    if (gap == null) {
-      gap = new OpenGap(lastTime, reason);
-    }
-    gap.lost += count;
+    openGap(lastTime, reason).lost += count;
     lost += count;
+  }
+
+  /** Returns the open gap, or opens one. */
+  private OpenGap openGap(Instant from, String reason) {
+    OpenGap open = gap;
+    if (open == null) {
+      open = new OpenGap(from, reason);
+      gap = open;
+    } else if (open.unreadSince == null && !open.reason.contains(reason)) {
+      open.reason += "; " + reason;
+    }
+    return open;
   }
 
   /** Puts the open gap into the queue, if there is one; returns false if the queue is full. */
@@ -273,8 +281,8 @@ public final class RobotSource implements Closeable {
         open.unreadSince == null
             ? 0
             : readings(open.unreadSince, end.isBefore(open.unreadUntil) ? end : open.unreadUntil);
-    boolean queued =
-        queue.offer(new Item(this, null, new Gap(open.from, end, unread, open.lost, open.reason)));
+    Gap closed = new Gap(open.from, end, open.missed + unread, open.lost, open.reason);
+    boolean queued = queue.offer(new Item(this, null, closed));
     if (queued) {
       gap = null;
     }
@@ -289,16 +297,12 @@ public final class RobotSource implements Closeable {
 
   /** Begins a gap. Called when the robot, which was not read for a while, is read again. */
   public synchronized void resumed(String reason) {
-    if (gap == null) {
-      gap = new OpenGap(lastTime, reason);
-    } else if (gap.unreadSince == null) {
-      gap.reason += "; " + reason;
-    }
-    if (gap.unreadSince == null) {
-      gap.unreadSince = lastAccess == 0 ? lastTime : Instant.ofEpochMilli(lastAccess);
+    OpenGap open = openGap(lastTime, reason);
+    if (open.unreadSince == null) {
+      open.unreadSince = lastAccess == 0 ? lastTime : Instant.ofEpochMilli(lastAccess);
     }
     // if it takes longer to connect, the robot is off: its readings are tried
-    gap.unreadUntil = Instant.now().plus(LONGEST_BACKOFF.multipliedBy(2));
+    open.unreadUntil = Instant.now().plus(LONGEST_BACKOFF.multipliedBy(2));
   }
 
   /**
@@ -311,22 +315,10 @@ public final class RobotSource implements Closeable {
       return;
     }
     own.checkAges();
-    long now = System.nanoTime();
-    if (now - reported < REPORT_NANOS) {
-      return;
-    }
-    reported = now;
-    long dropped = own.droppedSamples() - droppedBefore;
-    droppedBefore += dropped;
     synchronized (this) {
-      if (slow != null && queue.offer(new Item(this, null, slow))) {
-        slow = null;
-      }
-      if (dropped > 0) {
-        lose(dropped, "this computer was too slow for the samples");
-      }
+      addDropped(own.droppedSamples());
       // a time without readings ends with the next reading
-      if (gap != null && gap.lost > 0 && gap.unreadSince == null) {
+      if (gap != null && gap.unreadSince == null) {
         boolean unused = closeGap(Instant.now());
       }
     }

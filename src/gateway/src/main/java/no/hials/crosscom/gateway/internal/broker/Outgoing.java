@@ -22,7 +22,7 @@ final class Outgoing {
       @Nullable StoredMessage stored) {
     this.spare = spare;
     this.stored = stored;
-    this.bytes = message.qos() == 0 && isKept() ? message.payload().remaining() : 0;
+    this.bytes = message.qos() == 0 ? message.payload().remaining() : 0;
   }
 
   /** Creates a stored message that is not published. */
@@ -31,10 +31,5 @@ final class Outgoing {
     this.stored = stored;
     this.bytes = 0;
     this.done = true;
-  }
-
-  /** Returns whether the message is published again if the broker does not get it. */
-  boolean isKept() {
-    return spare != null || stored != null;
   }
 }

@@ -184,7 +184,7 @@ public final class Session implements AutoCloseable {
       return;
     }
     CompletableFuture<?> unused =
-        (one.isKept() ? over.publishConfirmed(message) : over.publish(message))
+        over.publishConfirmed(message)
             .whenComplete((result, failure) -> post(() -> sent(over, message, one, failure)));
   }
 

@@ -55,9 +55,13 @@ final class Device {
     return born;
   }
 
-  /** Returns whether its birth must be published, since all its variables are known. */
-  boolean isReady() {
-    return robot.isConnected() && known.containsAll(robot.plan().variables().keySet());
+  /**
+   * Returns whether a birth must be published: all its variables are known now, or its metrics
+   * differ from those of its last birth.
+   */
+  boolean isBirthDue() {
+    return robot.isConnected()
+        && (born ? changed : known.containsAll(robot.plan().variables().keySet()));
   }
 
   /** Returns whether its metrics differ from those of its birth. */

@@ -96,9 +96,14 @@ public final class SparkplugTraffic implements Traffic {
         List.of(
             bdSeq(),
             Payloads.metric(new Metric.MetricBuilder(REBIRTH, MetricDataType.Boolean, false))));
+    devices.values().forEach(Device::unborn);
+    publishBirths();
+  }
+
+  /** Publishes the births that are due, as far as there is room for them. */
+  private void publishBirths() {
     for (Device device : devices.values()) {
-      device.unborn();
-      if (device.isReady()) {
+      if (device.isBirthDue() && session.hasRoom()) {
         birth(device);
       }
     }
@@ -149,8 +154,10 @@ public final class SparkplugTraffic implements Traffic {
     if (!session.isConnected()) {
       store(device, touched);
     } else if (robot.isConnected()) {
-      if (device.isBorn() ? device.isChanged() : device.isReady()) {
+      if (device.isBirthDue() && session.hasRoom()) {
         birth(device);
+      } else if (device.isBirthDue()) {
+        store(device, touched);
       } else if (device.isBorn() && !touched.isEmpty()) {
         data(device, touched);
       }
@@ -194,6 +201,7 @@ public final class SparkplugTraffic implements Traffic {
         death(device);
       }
     }
+    publishBirths();
   }
 
   @Override

@@ -44,6 +44,7 @@ class SessionTest {
    */
   private static final class OneMessage implements Traffic {
     private int qos = 1;
+    private boolean kept = true;
     private final List<TopicFilter> subscriptions;
     private final AtomicReference<Session> session = new AtomicReference<>();
 
@@ -68,7 +69,7 @@ class SessionTest {
           .get()
           .publish(
               new Publication("topic", payload, qos, false),
-              () -> new StoredMessage("topic", payload));
+              kept ? () -> new StoredMessage("topic", payload) : null);
     }
 
     @Override
@@ -140,10 +141,30 @@ class SessionTest {
     try (Socket second = broker.accept()) {
       second.getOutputStream().write(CONNACK);
 
-      StringBuilder text = new StringBuilder();
-      while (text.indexOf("again") < 0) {
-        text.append((char) second.getInputStream().read());
-      }
+      awaitText(second, "again");
+    }
+  }
+
+  /** Waits until a connection has sent a text. */
+  private static void awaitText(Socket connection, String wanted) throws IOException {
+    StringBuilder text = new StringBuilder();
+    while (text.indexOf(wanted) < 0) {
+      int next = connection.getInputStream().read();
+      assertThat(next).describedAs("end of the connection after " + text).isNotNegative();
+      text.append((char) next);
+    }
+  }
+
+  @Test
+  void aMessageWithQos0ThatIsNotStoredIsFollowedByAQuestion() throws IOException {
+    OneMessage traffic = new OneMessage();
+    traffic.qos = 0;
+    traffic.kept = false;
+    start(traffic);
+    try (Socket connection = broker.accept()) {
+      connection.getOutputStream().write(CONNACK);
+
+      awaitText(connection, "jopenshowvar/round-trip");
     }
   }
 

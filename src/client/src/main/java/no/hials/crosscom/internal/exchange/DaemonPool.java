@@ -35,7 +35,7 @@ public final class DaemonPool extends ThreadPoolExecutor {
    *
    * @param few as many threads start before a task is queued
    * @param most as many start if the queue takes no more tasks
-   * @param timer has a thread
+   * @param timer makes the next attempts while the system starts no thread; its thread runs already
    */
   public DaemonPool(
       int few,

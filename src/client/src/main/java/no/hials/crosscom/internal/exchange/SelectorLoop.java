@@ -55,7 +55,7 @@ public final class SelectorLoop implements Executor {
    * Creates a loop without a thread.
    *
    * @param name the name of its thread
-   * @param timer has a thread
+   * @param timer makes the next attempts while the system starts no thread; its thread runs already
    */
   public SelectorLoop(String name, ScheduledExecutorService timer) {
     this.threads = new DaemonPool(1, name, timer);

@@ -40,7 +40,7 @@ public final class Threads {
    * Creates the executors.
    *
    * @param port the server's port, for the names of the threads
-   * @param timer has a thread
+   * @param timer makes the next attempts while the system starts no thread; its thread runs already
    * @param maxPending the maximum number of calls that have not ended
    * @param callbacks runs the functions on the futures of calls
    * @param completions completes the futures of calls that do not run, in another thread

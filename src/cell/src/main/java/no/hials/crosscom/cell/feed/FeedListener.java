@@ -1,5 +1,6 @@
 package no.hials.crosscom.cell.feed;
 
+import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 
@@ -14,12 +15,11 @@ public interface FeedListener {
   void updated(RobotFeed feed, List<Update> updates);
 
   /**
-   * Called when readings of one period were left out, before the updates of the reading after them.
-   * Must not block.
+   * Called when a period was read, before the updates of the reading. Must not block.
    *
-   * @param number how many
-   * @param from the time of the reading before them
-   * @param to the time of the reading after them
+   * @param time when the reading began
+   * @param missed the readings of the period that were left out before it
+   * @param failed whether no variable could be read, as without a connection
    */
-  default void missed(RobotFeed feed, long number, Instant from, Instant to) {}
+  default void read(RobotFeed feed, Duration period, Instant time, long missed, boolean failed) {}
 }

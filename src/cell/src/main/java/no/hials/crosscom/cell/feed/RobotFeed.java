@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -43,9 +42,6 @@ public final class RobotFeed implements Closeable {
   private final RobotConnection connection;
   private final Map<String, Held> held = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
   private final List<Watch> watches = new CopyOnWriteArrayList<>();
-
-  /** The time of the last reading of each period; guarded by the feed. */
-  private final Map<Duration, Instant> lastReadings = new HashMap<>();
 
   private volatile boolean connected;
   private volatile boolean closed;
@@ -249,10 +245,11 @@ public final class RobotFeed implements Closeable {
   private void take(Duration period, Sample sample) {
     List<Update> updates = new ArrayList<>();
     synchronized (this) {
-      Instant before = lastReadings.put(period, sample.time());
-      if (sample.missedPeriods() > 0 && !closed) {
-        Instant from = before == null ? sample.time() : before;
-        listener.missed(this, sample.missedPeriods(), from, sample.time());
+      if (!closed) {
+        boolean failed =
+            sample.readings().values().stream()
+                .allMatch(it -> it.status() == Sample.ReadingStatus.MISSED);
+        listener.read(this, period, sample.time(), sample.missedPeriods(), failed);
       }
       sample
           .readings()

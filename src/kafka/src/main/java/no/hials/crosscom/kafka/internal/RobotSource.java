@@ -4,6 +4,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -37,7 +38,7 @@ public final class RobotSource implements Closeable {
       "the robot or this computer was too slow for the period, or the process was frozen";
 
   /** The robot is connected again soon after its lease was lost and is held again. */
-  private static final Duration LONGEST_BACKOFF = Duration.ofSeconds(1);
+  static final Duration LONGEST_BACKOFF = Duration.ofSeconds(1);
 
   private final PollPlan plan;
   private final Queue<Item> queue;
@@ -48,12 +49,20 @@ public final class RobotSource implements Closeable {
   private long sequence;
   private long lastMillis;
   private long missed;
-
-  /** When the robot was last allowed to be accessed; 0 before the first time. */
-  private volatile long lastAccess;
+  private Map<String, Long> stored = Map.of();
 
   // guarded by this
+  private final MissedReadings readings;
+
+  /** The time of the last sample, or of the end of the last gap. */
   private Instant lastTime;
+
+  /** When the last reading began. */
+  private Instant lastRead;
+
+  /** Why readings are counted by the time. */
+  private String unreadReason = "";
+
   private @Nullable OpenGap gap;
   private long lost;
 
@@ -66,8 +75,10 @@ public final class RobotSource implements Closeable {
    * @param robot the robot
    * @param update the sample; null for a gap
    * @param gap the gap; null for a sample
+   * @param stored up to when readings are counted by this item and those before it
    */
-  public record Item(RobotSource robot, @Nullable Update update, @Nullable Gap gap) {
+  public record Item(
+      RobotSource robot, @Nullable Update update, @Nullable Gap gap, Map<String, Long> stored) {
     /** Returns the time of the sample, or of the end of the gap. */
     public Instant time() {
       return gap != null ? gap.to() : Objects.requireNonNull(update).time();
@@ -78,13 +89,6 @@ public final class RobotSource implements Closeable {
   private static final class OpenGap {
     private final Instant from;
     private String reason;
-
-    /** Since when the robot was not read; null if it was. */
-    private @Nullable Instant unreadSince;
-
-    /** The end of the time without readings, if no sample comes before. */
-    private Instant unreadUntil = Instant.MAX;
-
     private long missed;
     private long lost;
 
@@ -103,6 +107,7 @@ public final class RobotSource implements Closeable {
   public RobotSource(PollPlan plan, Queue<Item> queue, @Nullable Map<String, ?> stored) {
     this.plan = plan;
     this.queue = queue;
+    this.readings = new MissedReadings(plan.reads().keySet());
     long now = System.currentTimeMillis();
     if (stored == null) {
       run = now;
@@ -112,16 +117,15 @@ public final class RobotSource implements Closeable {
       run = Math.max(now, number(stored, RUN) + 1);
       lastTime = Instant.ofEpochMilli(number(stored, TIME));
       lastMillis = lastTime.toEpochMilli();
-      OpenGap since =
-          new OpenGap(
-              lastTime,
-              "a task has started; the run before was stored up to "
-                  + number(stored, RUN)
-                  + "/"
-                  + number(stored, SEQUENCE));
-      since.unreadSince = lastTime;
-      gap = since;
+      readings.restore(stored, lastTime);
+      unreadReason =
+          "a task has started; the run before was stored up to "
+              + number(stored, RUN)
+              + "/"
+              + number(stored, SEQUENCE);
+      gap = new OpenGap(lastTime, unreadReason);
     }
+    lastRead = lastTime;
   }
 
   private static long number(Map<String, ?> offset, String key) {
@@ -140,7 +144,9 @@ public final class RobotSource implements Closeable {
 
   /** Returns the source offset of the last record. */
   public Map<String, Object> offset() {
-    return Map.of(RUN, run, SEQUENCE, sequence, TIME, lastMillis);
+    Map<String, Object> offset = new HashMap<>(stored);
+    offset.putAll(Map.of(RUN, run, SEQUENCE, sequence, TIME, lastMillis));
+    return offset;
   }
 
   /**
@@ -160,7 +166,7 @@ public final class RobotSource implements Closeable {
                     robot,
                     settings.andThen(
                         cfg ->
-                            cfg.accessIf(() -> mayAccess(allowed))
+                            cfg.accessIf(allowed)
                                 .reconnectBackoff(Duration.ofMillis(100), LONGEST_BACKOFF))),
             new FeedListener() {
               @Override
@@ -169,10 +175,12 @@ public final class RobotSource implements Closeable {
               }
 
               @Override
-              public void missed(RobotFeed robot, long number, Instant from, Instant to) {
-                addMissed(number, from, to, allowed.getAsBoolean());
+              public void read(
+                  RobotFeed robot, Duration period, Instant time, long missed, boolean failed) {
+                addReading(period, time, missed, failed, allowed.getAsBoolean());
               }
             });
+    begin();
     try {
       opened.start();
     } catch (IOException | OutOfMemoryError e) {
@@ -182,14 +190,8 @@ public final class RobotSource implements Closeable {
     feed = opened;
   }
 
-  private boolean mayAccess(BooleanSupplier allowed) {
-    // before the answer: a process that is frozen in between has no access at the later time
-    long now = System.currentTimeMillis();
-    boolean may = allowed.getAsBoolean();
-    if (may) {
-      lastAccess = now;
-    }
-    return may;
+  private synchronized void begin() {
+    readings.resume(Instant.now());
   }
 
   /** Returns whether the robot is connected. */
@@ -217,16 +219,25 @@ public final class RobotSource implements Closeable {
 
   private synchronized void add(long droppedSamples, List<Update> updates, boolean used) {
     addDropped(droppedSamples); // before the samples that end the gap
-    updates.forEach(update -> add(used ? update : unused(update), used));
+    updates.forEach(update -> add(used ? update : unused(update)));
   }
 
-  private synchronized void addMissed(long number, Instant from, Instant to, boolean used) {
-    // without the lease, the time counts: the periods left out belong to its gap
-    if (!used || (gap != null && gap.unreadSince != null)) {
+  private synchronized void addReading(
+      Duration period, Instant time, long missedBefore, boolean failed, boolean used) {
+    if (!used) {
+      unreadReason = WITHOUT_LEASE;
+      readings.unused(period, time);
       return;
     }
-    // the clock may have been set back
-    openGap(from.isBefore(to) ? from : to, TOO_SLOW).missed += number;
+    Instant before = readings.last(period);
+    boolean byTime = readings.isUnread(period);
+    long leftOut = readings.read(period, time, missedBefore, failed);
+    lastRead = later(lastRead, time);
+    if (leftOut > 0) {
+      // the clock may have been set back
+      Instant from = before != null && before.isBefore(time) ? before : time;
+      openGap(from, byTime ? unreadReason : TOO_SLOW).missed += leftOut;
+    }
   }
 
   private void addDropped(long droppedSamples) {
@@ -236,12 +247,8 @@ public final class RobotSource implements Closeable {
     }
   }
 
-  private void add(Update update, boolean used) {
-    Instant time = update.quality() == Quality.STALE ? Instant.now() : update.time();
-    if (used && gap != null && gap.unreadSince != null && time.isBefore(gap.unreadUntil)) {
-      gap.unreadUntil = time;
-    }
-    if (closeGap(time) && queue.offer(new Item(this, update, null))) {
+  private void add(Update update) {
+    if (closeGap() && queue.offer(item(update, null))) {
       lastTime = later(lastTime, update.time());
     } else {
       lose(1, "the buffer of the task was full");
@@ -264,45 +271,37 @@ public final class RobotSource implements Closeable {
     if (open == null) {
       open = new OpenGap(from, reason);
       gap = open;
-    } else if (open.unreadSince == null && !open.reason.contains(reason)) {
+    } else if (!open.reason.contains(reason)) {
       open.reason += "; " + reason;
     }
     return open;
   }
 
   /** Puts the open gap into the queue, if there is one; returns false if the queue is full. */
-  private boolean closeGap(Instant to) {
+  private boolean closeGap() {
     OpenGap open = gap;
     if (open == null) {
       return true;
     }
-    Instant end = to.isBefore(open.from) ? open.from : to;
-    long unread =
-        open.unreadSince == null
-            ? 0
-            : readings(open.unreadSince, end.isBefore(open.unreadUntil) ? end : open.unreadUntil);
-    Gap closed = new Gap(open.from, end, open.missed + unread, open.lost, open.reason);
-    boolean queued = queue.offer(new Item(this, null, closed));
+    Instant end = lastRead.isBefore(open.from) ? open.from : lastRead;
+    Gap closed = new Gap(open.from, end, open.missed, open.lost, open.reason);
+    boolean queued = queue.offer(item(null, closed));
     if (queued) {
       gap = null;
+      lastTime = later(lastTime, end);
     }
     return queued;
   }
 
-  /** Returns the number of readings that the plan has between two times. */
-  private long readings(Instant from, Instant to) {
-    long millis = Math.max(0, Duration.between(from, to).toMillis());
-    return plan.reads().keySet().stream().mapToLong(period -> millis / period.toMillis()).sum();
+  private Item item(@Nullable Update update, @Nullable Gap of) {
+    return new Item(this, update, of, readings.stored());
   }
 
   /** Begins a gap. Called when the robot, which was not read for a while, is read again. */
   public synchronized void resumed(String reason) {
-    OpenGap open = openGap(lastTime, reason);
-    if (open.unreadSince == null) {
-      open.unreadSince = lastAccess == 0 ? lastTime : Instant.ofEpochMilli(lastAccess);
-    }
-    // if it takes longer to connect, the robot is off: its readings are tried
-    open.unreadUntil = Instant.now().plus(LONGEST_BACKOFF.multipliedBy(2));
+    unreadReason = reason;
+    OpenGap unused = openGap(lastTime, reason);
+    readings.resume(Instant.now());
   }
 
   /**
@@ -317,9 +316,9 @@ public final class RobotSource implements Closeable {
     own.checkAges();
     synchronized (this) {
       addDropped(own.droppedSamples());
-      // a time without readings ends with the next reading
-      if (gap != null && gap.unreadSince == null) {
-        boolean unused = closeGap(Instant.now());
+      // a gap without a number ends with the next reading
+      if (gap != null && gap.missed + gap.lost > 0) {
+        boolean unused = closeGap();
       }
     }
   }
@@ -327,6 +326,7 @@ public final class RobotSource implements Closeable {
   /** Returns the record value of a queued item, and counts the item. */
   public Struct take(Item item, SampleRecords records) {
     sequence++;
+    stored = item.stored;
     lastMillis = later(Instant.ofEpochMilli(lastMillis), item.time()).toEpochMilli();
     Gap of = item.gap;
     if (of != null) {

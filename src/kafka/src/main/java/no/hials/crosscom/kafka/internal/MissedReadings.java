@@ -1,0 +1,106 @@
+package no.hials.crosscom.kafka.internal;
+
+import java.time.Duration;
+import java.time.Instant;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Counts the readings of a robot that were left out, for each period on its own: by their number
+ * between two readings, and by the time after a start or while the robot was not used. Not
+ * thread-safe.
+ */
+final class MissedReadings {
+  /** The key of a stored time: this and the milliseconds of the period. */
+  private static final String STORED = "read.";
+
+  /** If it takes longer to connect, the robot is off: its readings are tried. */
+  private static final Duration LONGEST_CONNECT = RobotSource.LONGEST_BACKOFF.multipliedBy(2);
+
+  private final Set<Duration> periods;
+
+  /** When the last reading of a period began that is counted, or was made. */
+  private final Map<Duration, Instant> last = new HashMap<>();
+
+  /** The periods whose next reading counts those before it by the time. */
+  private final Set<Duration> unread = new HashSet<>();
+
+  private Instant connectBy = Instant.MIN;
+
+  /** Creates an object for the periods of a robot that was never read. */
+  MissedReadings(Set<Duration> periods) {
+    this.periods = Set.copyOf(periods);
+  }
+
+  /**
+   * Continues from a stored offset, if a period is not in it from a time.
+   *
+   * @param offset an offset that {@link #stored} is a part of
+   */
+  void restore(Map<String, ?> offset, Instant otherwise) {
+    for (Duration period : periods) {
+      Object time = offset.get(STORED + period.toMillis());
+      last.put(
+          period, time instanceof Number it ? Instant.ofEpochMilli(it.longValue()) : otherwise);
+    }
+  }
+
+  /** Returns up to when the readings of each period are counted, for the next run. */
+  Map<String, Long> stored() {
+    return last.entrySet().stream()
+        .collect(
+            Collectors.toUnmodifiableMap(
+                it -> STORED + it.getKey().toMillis(), it -> it.getValue().toEpochMilli()));
+  }
+
+  /** Returns when the last reading of a period began; null if there is none. */
+  @Nullable Instant last(Duration period) {
+    return last.get(period);
+  }
+
+  /** Returns whether the next reading counts those before it by the time. */
+  boolean isUnread(Duration period) {
+    return unread.contains(period);
+  }
+
+  /** Called when the robot is used from now on. */
+  void resume(Instant now) {
+    unread.addAll(periods);
+    connectBy = now.plus(LONGEST_CONNECT);
+  }
+
+  /** Called with a reading, or an attempt, while the robot is not used. */
+  void unused(Duration period, Instant time) {
+    unread.add(period);
+    connectBy = time.plus(LONGEST_CONNECT);
+  }
+
+  /**
+   * Returns the number of readings that were left out before a reading.
+   *
+   * @param time when it began
+   * @param missed their number since the reading before, as far as the robot was used
+   * @param failed whether nothing could be read
+   */
+  long read(Duration period, Instant time, long missed, boolean failed) {
+    Instant before = last.get(period);
+    if (before == null || !unread.contains(period)) {
+      unread.remove(period);
+      last.put(period, time);
+      return missed;
+    }
+    long millis = Math.max(0, Duration.between(before, time).toMillis());
+    if (failed && time.isBefore(connectBy)) {
+      long due = millis / period.toMillis();
+      last.put(period, before.plus(period.multipliedBy(due)));
+      return due;
+    }
+    unread.remove(period);
+    last.put(period, time);
+    return Math.max(0, millis - 1) / period.toMillis(); // one that is due now is made
+  }
+}

@@ -62,7 +62,7 @@ final class ReconnectingConnection {
   /** Completed while connected; set with the turn. */
   private volatile CompletableFuture<@Nullable Void> connected;
 
-  /** End with the client. */
+  /** Read again with each connection, and end with the client. */
   private final Set<Watch> watches = ConcurrentHashMap.newKeySet();
 
   private volatile long timeoutNanos;
@@ -462,6 +462,7 @@ final class ReconnectingConnection {
           first ? ConnectionChange.CONNECTED : ConnectionChange.RECONNECTED,
           ChangeReason.NONE,
           null);
+      watches.forEach(Watch::connected);
       CompletableFuture<@Nullable Void> waiting = connected;
       runtime.complete(() -> waiting.complete(null));
     }

@@ -29,7 +29,9 @@ import org.slf4j.LoggerFactory;
  * <p>A reading that takes longer than a period does not delay later readings: the missed periods
  * are skipped and counted. A slow listener does not delay readings either: samples wait for it up
  * to a limit; further samples are dropped and counted. While the connection is lost, the watch
- * continues; the next sample contains the number of failed readings.
+ * continues; the next sample contains the number of failed readings. When there is a connection
+ * again and the next reading is more than a second away, it starts at once, and the next ones
+ * follow at the period from there.
  *
  * <p>A watch has no thread. The {@link ClientRuntime} of the client starts its readings by the
  * timer and reads in the selector thread, both for all watches; the threads of samplers create the
@@ -53,6 +55,9 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   private final C3Channel channel;
   private final WatchConfig config;
   private final ClientRuntime runtime;
+
+  /** A reading that is further away is not waited for when there is a connection again. */
+  private static final long FAR_AWAY = Duration.ofSeconds(1).toNanos();
 
   /** Runs the sampler, and completes the subscribers. */
   private final SerialExecutor sampling;
@@ -82,6 +87,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   // guarded by this
   private boolean started;
   private boolean reading;
+  private boolean readAgain;
   private boolean closed;
   private boolean ended;
   private @Nullable Future<?> nextTick;
@@ -253,6 +259,22 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     }
   }
 
+  /** Called with each new connection: values that were read before are no longer known. */
+  void connected() {
+    synchronized (this) {
+      readAgain = reading; // which may still fail with the connection before
+      if (reading || nextTick == null || !isFarAway() || !nextTick.cancel(false)) {
+        return;
+      }
+      next = System.nanoTime();
+    }
+    scheduleTick();
+  }
+
+  private boolean isFarAway() {
+    return next - System.nanoTime() > FAR_AWAY;
+  }
+
   /** Starts a reading at its time, unless the last one still waits. */
   private void tick() {
     long period = config.period().toNanos();
@@ -334,6 +356,10 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   private void endReading() {
     synchronized (this) {
       reading = false;
+      if (readAgain && isFarAway()) {
+        next = System.nanoTime();
+      }
+      readAgain = false;
     }
     if (isClosed()) {
       end(null);

@@ -499,6 +499,22 @@ class WatchTest extends RobotTest {
   }
 
   @Test
+  void aWatchWithALongPeriodReadsAtOnceWhenThereIsAConnectionAgain() throws Exception {
+    Duration tiny = Duration.ofMillis(1);
+    try (CrossComClient its = client(cfg -> cfg.reconnectBackoff(tiny, tiny));
+        Watch slow = its.watch(Duration.ofHours(1), samples::add, "$OV_PRO");
+        Watch fast = its.watch(PERIOD, sample -> {}, "MYINT")) {
+      next();
+      robot.variables().set("$OV_PRO", "50");
+      robot.disconnectClients();
+
+      assertThat(next().value("$OV_PRO")).isEqualTo(new KrlInt(50));
+      assertThat(slow.missedPeriods() + slow.failedPolls()).isZero();
+      assertThat(fast.polls()).isPositive();
+    }
+  }
+
+  @Test
   void subscribersGetAsManySamplesAsTheyAskForAndAreToldTheEnd() throws Exception {
     CountDownLatch ended = new CountDownLatch(1);
     List<Sample> got = new ArrayList<>();

@@ -9,12 +9,13 @@ import java.net.Socket;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** A TCP connection to a broker that can be cut. */
+/** A TCP connection to a broker that can be cut, and can stop passing on what is sent to it. */
 final class Cable implements AutoCloseable {
   private final int target;
   private final ServerSocket server;
   private final Set<Socket> sockets = ConcurrentHashMap.newKeySet();
   private boolean connected;
+  private boolean held;
 
   /** Creates a cable that is cut until {@link #connect}. */
   Cable(int target) throws IOException {
@@ -31,10 +32,23 @@ final class Cable implements AutoCloseable {
     connected = true;
   }
 
+  /** Passes on nothing to the broker any more; the next cut loses what has arrived. */
+  synchronized void hold() {
+    held = true;
+  }
+
+  private synchronized void awaitRelease() throws InterruptedException {
+    while (held) {
+      wait();
+    }
+  }
+
   synchronized void cut() {
     connected = false;
+    held = false;
     sockets.forEach(Cable::end);
     sockets.clear();
+    notifyAll();
   }
 
   private static void thread(Runnable task) {
@@ -62,18 +76,24 @@ final class Cable implements AutoCloseable {
       Socket far = new Socket(InetAddress.getLoopbackAddress(), target);
       sockets.add(near);
       sockets.add(far);
-      thread(() -> copy(near, far));
-      thread(() -> copy(far, near));
+      thread(() -> copy(near, far, true));
+      thread(() -> copy(far, near, false));
     } catch (IOException e) {
       end(near);
     }
   }
 
-  private static void copy(Socket from, Socket to) {
+  private void copy(Socket from, Socket to, boolean canBeHeld) {
+    byte[] buffer = new byte[8192];
     try (InputStream in = from.getInputStream();
         OutputStream out = to.getOutputStream()) {
-      long unused = in.transferTo(out);
-    } catch (IOException e) {
+      for (int read = in.read(buffer); read >= 0; read = in.read(buffer)) {
+        if (canBeHeld) {
+          awaitRelease();
+        }
+        out.write(buffer, 0, read);
+      }
+    } catch (IOException | InterruptedException e) {
       // the other side is closed as well
     }
   }

@@ -225,6 +225,35 @@ class SparkplugIT extends BrokerTest {
     }
   }
 
+  @Test
+  void theValuesOfABirthThatTheBrokerDidNotGetAreHistorical() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Cable cable = new Cable(broker.port());
+        Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      cable.connect();
+      Gateway reading =
+          start(READ + "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n" + NODE);
+      long alias = metricOf(observer.await(DBIRTH, ""), "COUNTER").getAlias();
+      robot.refuseConnections();
+      robot.disconnectClients();
+      observer.await(DDEATH, "");
+
+      cable.hold();
+      for (String value : List.of("1", "2")) {
+        robot.variables().set("COUNTER", value);
+        robot.acceptConnections();
+        await(() -> hasCounter(reading.robots().get(0), value));
+      }
+      cable.cut();
+      cable.connect();
+
+      for (int value : List.of(1, 2)) {
+        Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(value));
+        assertThat(has(data, alias, it -> Boolean.TRUE.equals(it.isHistorical()))).isTrue();
+      }
+    }
+  }
+
   /** An output whose start takes until it is told to end. */
   private record SlowOutput(Runnable starting) implements OutputKind<String> {
     @Override

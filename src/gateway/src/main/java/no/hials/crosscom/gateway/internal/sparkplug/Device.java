@@ -1,8 +1,8 @@
 package no.hials.crosscom.gateway.internal.sparkplug;
 
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -28,6 +28,9 @@ final class Device {
 
   /** The variables that were read or refused since the robot was connected. */
   private final Set<String> known = new HashSet<>();
+
+  /** The metrics that have changed since the last message about them. */
+  private final Set<DeviceMetric> unsent = new LinkedHashSet<>();
 
   private boolean born;
   private boolean changed;
@@ -69,9 +72,8 @@ final class Device {
     return changed;
   }
 
-  /** Applies updates, and returns the metrics with a new value or quality. */
-  List<DeviceMetric> take(List<Update> updates) {
-    List<DeviceMetric> touched = new ArrayList<>();
+  /** Applies updates. */
+  void take(List<Update> updates) {
     for (Update update : updates) {
       PlannedVariable variable = update.variable();
       KrlValue value = update.value();
@@ -84,7 +86,7 @@ final class Device {
           read |= !metric.isOf(update.time());
           changed |= metric.take(leaf, update.time(), update.quality());
           present.add(metric);
-          touched.add(metric);
+          unsent.add(metric);
         }
         if (read) {
           known.add(variable.key());
@@ -93,7 +95,7 @@ final class Device {
           if (metric.isOf(variable.key()) && !metric.isBad() && !present.contains(metric)) {
             // a field that the value no longer has
             metric.without(Quality.BAD, update.time());
-            touched.add(metric);
+            unsent.add(metric);
           }
         }
       } else {
@@ -103,12 +105,18 @@ final class Device {
         for (DeviceMetric metric : metrics.values()) {
           if (metric.isOf(variable.key())) {
             metric.without(update.quality(), update.time());
-            touched.add(metric);
+            unsent.add(metric);
           }
         }
       }
     }
-    return touched;
+  }
+
+  /** Returns the metrics with a new value or quality that no message had yet, and forgets them. */
+  List<DeviceMetric> takeUnsent() {
+    List<DeviceMetric> taken = List.copyOf(unsent);
+    unsent.clear();
+    return taken;
   }
 
   private DeviceMetric metric(Leaf leaf, PlannedVariable variable) {

@@ -121,7 +121,23 @@ public final class SparkplugTraffic implements Traffic {
   }
 
   private void birth(Device device) {
-    publish("DBIRTH", device.name(), device.birth());
+    List<DeviceMetric> unsent = device.takeUnsent();
+    publish(device, "DBIRTH", device.birth(), unsent);
+  }
+
+  /**
+   * Publishes values of a device.
+   *
+   * @param unsent those that are stored if the broker does not get them
+   */
+  private void publish(
+      Device device, String type, List<Metric> metrics, List<DeviceMetric> unsent) {
+    // copied now, because the metrics may change before the message is stored
+    List<Metric> spare = unsent.stream().map(DeviceMetric::stored).toList();
+    boolean unused =
+        session.publish(
+            message(type, device.name(), metrics),
+            spare.isEmpty() ? null : () -> stored(device, spare));
   }
 
   private void death(Device device) {
@@ -150,42 +166,43 @@ public final class SparkplugTraffic implements Traffic {
     if (device == null) {
       return;
     }
-    List<DeviceMetric> touched = device.take(updates);
+    if (!robot.isConnected()) {
+      store(device); // what was read before, and was to come with its birth
+    }
+    device.take(updates);
     if (!session.isConnected()) {
-      store(device, touched);
+      store(device);
     } else if (robot.isConnected()) {
-      if (device.isBirthDue() && session.hasRoom()) {
-        birth(device);
-      } else if (device.isBirthDue()) {
-        store(device, touched);
-      } else if (device.isBorn() && !touched.isEmpty()) {
-        data(device, touched);
-      }
+      publishNew(device);
     } else if (updates.stream().anyMatch(it -> it.quality() == Quality.GOOD)) {
-      store(device, touched); // read before the connection to the robot ended
+      store(device); // read before the connection to the robot ended
     }
     if (!robot.isConnected()) {
+      var unused = device.takeUnsent(); // its death tells that they are stale
       device.lost();
       death(device);
     }
   }
 
-  private void data(Device device, List<DeviceMetric> touched) {
-    if (session.hasRoom()) {
-      // copied now, because the metrics may change before the message is stored
-      List<Metric> spare = touched.stream().map(DeviceMetric::stored).toList();
-      boolean unused =
-          session.publish(
-              message("DDATA", device.name(), touched.stream().map(DeviceMetric::data).toList()),
-              () -> stored(device, spare));
-    } else {
-      store(device, touched);
+  /** Publishes or stores new values; those of a robot without a birth wait for the birth. */
+  private void publishNew(Device device) {
+    boolean due = device.isBirthDue();
+    if ((due || device.isBorn()) && !session.hasRoom()) {
+      store(device);
+    } else if (due) {
+      birth(device);
+    } else if (device.isBorn()) {
+      List<DeviceMetric> unsent = device.takeUnsent();
+      if (!unsent.isEmpty()) {
+        publish(device, "DDATA", unsent.stream().map(DeviceMetric::data).toList(), unsent);
+      }
     }
   }
 
-  private void store(Device device, List<DeviceMetric> touched) {
-    if (!touched.isEmpty()) {
-      session.store(stored(device, touched.stream().map(DeviceMetric::stored).toList()));
+  private void store(Device device) {
+    List<Metric> metrics = device.takeUnsent().stream().map(DeviceMetric::stored).toList();
+    if (!metrics.isEmpty()) {
+      session.store(stored(device, metrics));
     }
   }
 
@@ -248,6 +265,7 @@ public final class SparkplugTraffic implements Traffic {
 
   @Override
   public void closing() {
+    devices.values().forEach(this::store);
     if (session.isConnected()) {
       boolean unused =
           session.publish(

@@ -56,7 +56,8 @@ class DeviceTest {
 
   private List<DeviceMetric> take(String variable, Quality quality, @Nullable KrlValue value) {
     PlannedVariable planned = feed.plan().variables().get(variable);
-    return device.take(List.of(new Update(planned, Instant.now(), quality, value, "")));
+    device.take(List.of(new Update(planned, Instant.now(), quality, value, "")));
+    return device.takeUnsent();
   }
 
   private List<DeviceMetric> take(String value) {

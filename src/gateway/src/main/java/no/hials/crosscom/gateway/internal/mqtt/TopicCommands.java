@@ -26,8 +26,11 @@ final class TopicCommands {
 
   private static final int LONGEST_PAYLOAD = 10_000;
 
-  /** The maximum length of a text in an answer, and of its topics with the correlation data. */
+  /** The maximum length of a text in an answer, in characters. */
   private static final int LONGEST_TEXT = 1000;
+
+  /** The maximum length of the topics with the correlation data, in bytes. */
+  private static final int LONGEST_ADDRESS = 1000;
 
   private static final JsonFactory JSON = new JsonFactory();
 
@@ -98,7 +101,7 @@ final class TopicCommands {
       return "the command is longer than " + LONGEST_PAYLOAD + " bytes";
     }
     if (!hasShortAddress(message)) {
-      return "the topics and the correlation data are longer than " + LONGEST_TEXT + " bytes";
+      return "the topics and the correlation data are longer than " + LONGEST_ADDRESS + " bytes";
     }
     ByteBuffer correlation = message.correlation();
     String responseTopic = message.responseTopic();
@@ -117,10 +120,15 @@ final class TopicCommands {
   private static boolean hasShortAddress(Received message) {
     String response = message.responseTopic();
     ByteBuffer correlation = message.correlation();
-    return message.topic().length()
-            + (response == null ? 0 : response.length())
+    return bytes(message.topic())
+            + (response == null ? 0 : bytes(response))
             + (correlation == null ? 0 : correlation.remaining())
-        <= LONGEST_TEXT;
+        <= LONGEST_ADDRESS;
+  }
+
+  /** Returns the length of a topic as MQTT sends it. */
+  private static int bytes(String topic) {
+    return topic.getBytes(UTF_8).length;
   }
 
   /** Returns the value of a command as KRL writes it. */

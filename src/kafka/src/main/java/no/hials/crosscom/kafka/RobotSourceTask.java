@@ -306,16 +306,26 @@ public final class RobotSourceTask extends SourceTask {
     if (!(record instanceof Given given) || lease == null || settings == null) {
       return;
     }
-    // without metadata, a transformation dropped the record: it never reached the broker
-    String leases = settings.getString(ConnectorSettings.LEASE_TOPIC);
-    if (metadata != null) {
+    if (metadata != null && metadata.hasOffset()) {
       lease.renew(given.moment);
-    } else if (!warned && given.topic().equals(leases)) {
+    } else if (!warned && given.topic().equals(settings.getString(ConnectorSettings.LEASE_TOPIC))) {
       warned = true;
+      warnOfLease(given.topic(), metadata);
+    }
+  }
+
+  /** Logs why a record of the lease has not renewed it. */
+  private static void warnOfLease(String topic, @Nullable RecordMetadata metadata) {
+    if (metadata == null) {
       LOG.warn(
           "a transformation or a tolerated error left out a record of {}: without them no lease is"
               + " held, and no robot is read",
-          leases);
+          topic);
+    } else {
+      LOG.error(
+          "the broker has not confirmed a record of {}: with acks=0 it confirms none, so that no"
+              + " lease is held, and no robot is read; set acks=all for the producer",
+          topic);
     }
   }
 

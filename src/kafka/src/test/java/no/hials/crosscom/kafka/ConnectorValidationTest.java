@@ -35,6 +35,7 @@ class ConnectorValidationTest {
     sink.put("errors.tolerance", "all");
     sink.put("errors.deadletterqueue.topic.name", "dead");
     sink.put("producer.override.delivery.timeout.ms", "30000");
+    sink.put("producer.override.acks", "all");
   }
 
   /** Returns the errors, each with its property before it. */
@@ -49,6 +50,9 @@ class ConnectorValidationTest {
     assertThat(errors(new RobotSourceConnector(), source)).isEmpty();
     assertThat(errors(new RobotSinkConnector(), sink)).isEmpty();
     source.put("topic", "plant.{robot}");
+    source.put("producer.override.acks", "1");
+    sink.put("producer.override.acks", "-1");
+    assertThat(errors(new RobotSinkConnector(), sink)).isEmpty();
     assertThat(errors(new RobotSourceConnector(), source)).isEmpty();
   }
 
@@ -70,6 +74,7 @@ class ConnectorValidationTest {
           lease.ms,            9223372036854775807,  no more than 3600000
           lease.recovery.ms,   9223372036854775807,  no more than 3600000
           buffer.records,      2147483647,           no more than 1000000
+          producer.override.acks,  0,                must not be 0
           """)
   void aWrongPropertyOfTheSourceIsNamed(String key, String value, String rule) {
     source.put(key, value);
@@ -147,6 +152,8 @@ class ConnectorValidationTest {
           errors.tolerance,    none,       must be all
           errors.deadletterqueue.topic.name,      "",     must be non-empty
           producer.override.delivery.timeout.ms,  60001,  no more than 60000
+          producer.override.acks,  0,             must be all
+          producer.override.acks,  1,             must be all
           """)
   void aWrongPropertyOfTheSinkIsNamed(String key, String value, String rule) {
     sink.put(key, value);
@@ -158,15 +165,17 @@ class ConnectorValidationTest {
   }
 
   @Test
-  void theSinkNeedsADeadLetterTopicAndALimitOfItsWaitForIt() {
+  void theSinkNeedsADeadLetterTopicThatConfirmsWithinALimit() {
     sink.keySet().removeAll(Set.of("errors.tolerance", "errors.deadletterqueue.topic.name"));
     sink.remove("producer.override.delivery.timeout.ms");
+    sink.remove("producer.override.acks");
     assertThat(errors(new RobotSinkConnector(), sink))
         .extracting(error -> error.substring(0, error.indexOf(':')))
         .containsExactlyInAnyOrder(
             "errors.tolerance",
             "errors.deadletterqueue.topic.name",
-            "producer.override.delivery.timeout.ms");
+            "producer.override.delivery.timeout.ms",
+            "producer.override.acks");
   }
 
   @Test

@@ -20,6 +20,7 @@ import org.apache.kafka.connect.data.Struct;
 import org.apache.kafka.connect.source.SourceRecord;
 import org.apache.kafka.connect.source.SourceTaskContext;
 import org.apache.kafka.connect.storage.OffsetStorageReader;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -168,20 +169,36 @@ class RobotSourceTaskTest {
 
   @Test
   void aTransformationThatLeavesOutTheRecordsOfTheLeaseIsToldOnce() throws Exception {
+    assertThat(logOfSixBeats(null)).containsOnlyOnce("left out a record of robots-leases");
+    assertThat(robot.clientCount()).isZero();
+  }
+
+  @Test
+  void aProducerThatWaitsForNoAnswerRenewsNoLeaseAndIsToldOnce() throws Exception {
+    // with acks=0 the producer itself completes a record, without an offset
+    RecordMetadata own =
+        new RecordMetadata(new TopicPartition("robots-leases", 0), -1, -1, 0, 0, 0);
+    assertThat(logOfSixBeats(own)).containsOnlyOnce("with acks=0 it confirms none");
+    assertThat(robot.clientCount()).isZero();
+  }
+
+  /** Answers six records of the lease, which are more than one lease, and returns the log. */
+  private String logOfSixBeats(@Nullable RecordMetadata answer) throws InterruptedException {
     PrintStream before = System.err;
     ByteArrayOutputStream log = new ByteArrayOutputStream();
     System.setErr(new PrintStream(log, true, UTF_8));
     try {
-      for (int beats = 0; beats < 2; ) {
+      for (int beats = 0; beats < 6; ) {
         List<SourceRecord> records = task.poll();
         for (SourceRecord record : records == null ? List.<SourceRecord>of() : records) {
-          task.commitRecord(record, null);
+          assertThat(record.topic()).isEqualTo("robots-leases");
+          task.commitRecord(record, answer);
           beats++;
         }
       }
     } finally {
       System.setErr(before);
     }
-    assertThat(log.toString(UTF_8)).containsOnlyOnce("left out a record of robots-leases");
+    return log.toString(UTF_8);
   }
 }

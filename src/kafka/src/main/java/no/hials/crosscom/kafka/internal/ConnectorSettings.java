@@ -62,6 +62,9 @@ public final class ConnectorSettings extends AbstractConfig {
   /** How long the producer of the dead letters tries; Connect would let it try for weeks. */
   private static final String DELIVERY = "producer.override.delivery.timeout.ms";
 
+  /** The answers of the broker that the producer waits for. */
+  private static final String ACKS = "producer.override.acks";
+
   /** The prefix of further settings of the client that verifies the claims. */
   private static final String ADMIN_PREFIX = "admin.";
 
@@ -116,7 +119,14 @@ public final class ConnectorSettings extends AbstractConfig {
               between(1, 1_000_000),
               Importance.LOW,
               "The number of samples that may wait until Connect takes them; more are counted as"
-                  + " lost");
+                  + " lost")
+          .define(
+              ACKS,
+              ConfigDef.Type.STRING,
+              null,
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkAnswered, () -> "not 0"),
+              Importance.LOW,
+              "Must not be 0: only an answer of the broker renews the lease");
 
   /** The properties of the sink connector. */
   public static final ConfigDef SINK =
@@ -168,7 +178,14 @@ public final class ConnectorSettings extends AbstractConfig {
               between(1, 60_000),
               Importance.HIGH,
               "The longest time until a task fails that cannot put a record on the dead-letter"
-                  + " topic, in ms");
+                  + " topic, in ms")
+          .define(
+              ACKS,
+              ConfigDef.Type.STRING,
+              ConfigDef.NO_DEFAULT_VALUE,
+              ConfigDef.LambdaValidator.with(ConnectorSettings::checkAllAnswered, () -> "all"),
+              Importance.HIGH,
+              "Must be all: a record is only done when the dead-letter topic has its dead letter");
 
   private ConnectorSettings(ConfigDef definition, Map<String, String> properties) {
     super(definition, properties, false);
@@ -205,6 +222,20 @@ public final class ConnectorSettings extends AbstractConfig {
   private static void checkTolerance(String key, Object value) {
     if (value != null && !"all".equals(value)) {
       throw new ConfigException(key, value, "must be all");
+    }
+  }
+
+  private static void checkAnswered(String key, Object value) {
+    if ("0".equals(value)) {
+      throw new ConfigException(
+          key, value, "must not be 0: without an answer of the broker no robot is read");
+    }
+  }
+
+  private static void checkAllAnswered(String key, Object value) {
+    if (value != null && !"all".equals(value) && !"-1".equals(value)) {
+      throw new ConfigException(
+          key, value, "must be all: with less, dead letters can be lost without notice");
     }
   }
 

@@ -103,6 +103,7 @@ class ConnectorsIT {
     sink.put("errors.deadletterqueue.topic.replication.factor", "1");
     sink.put("errors.deadletterqueue.context.headers.enable", "true");
     sink.put("producer.override.delivery.timeout.ms", "20000");
+    sink.put("producer.override.acks", "all");
     sink.put("producer.override.request.timeout.ms", "10000");
     for (int i = 0; i < more.length; i += 2) {
       sink.put(more[i], more[i + 1]);

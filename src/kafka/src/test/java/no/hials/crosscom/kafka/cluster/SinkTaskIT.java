@@ -164,7 +164,9 @@ class SinkTaskIT {
             "errors.deadletterqueue.topic.name",
             "dead",
             "producer.override.delivery.timeout.ms",
-            "20000"));
+            "20000",
+            "producer.override.acks",
+            "all"));
     started.open(List.of(COMMANDS));
     return started;
   }

@@ -4,18 +4,18 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
-/** The messages that the broker has not confirmed, in the order of sending. Not thread-safe. */
+/**
+ * The messages that the broker has not confirmed, in the order of sending. Their number and their
+ * bytes are limited, but a single message may be larger. Not thread-safe.
+ */
 final class InFlight {
   /** The maximum number of messages. */
   private static final int MOST = 1000;
 
-  /**
-   * The maximum size of the messages that only a {@linkplain RoundTrips round trip} confirms. They
-   * must not keep a slow connection busy for longer than the broker may be silent.
-   */
-  private static final long MOST_BYTES = 256_000;
-
   private final Deque<Outgoing> messages = new ArrayDeque<>();
+  private final SendWindow window = new SendWindow();
+
+  /** The bytes of the messages that are not done. */
   private long bytes;
 
   boolean isEmpty() {
@@ -24,29 +24,42 @@ final class InFlight {
 
   /** Returns whether another message can be sent. */
   boolean hasRoom() {
-    return messages.size() < MOST && bytes < MOST_BYTES;
+    return messages.size() < MOST && bytes < window.size();
   }
 
   /** Returns whether less than half of the room is in use. */
   boolean isHalfEmpty() {
-    return messages.size() < MOST / 2 && bytes < MOST_BYTES / 2;
+    return messages.size() < MOST / 2 && bytes < window.size() / 2;
   }
 
+  /** Adds a message that is sent now. */
   void add(Outgoing message) {
     messages.add(message);
     bytes += message.bytes;
+    window.sent(bytes);
   }
 
-  /** Removes and returns the oldest message, or returns null. */
-  @Nullable Outgoing poll() {
-    Outgoing first = messages.poll();
-    bytes -= first == null ? 0 : first.bytes;
-    return first;
+  /**
+   * Marks a message as done.
+   *
+   * @param now the time in nanoseconds
+   */
+  void done(Outgoing message, long now) {
+    message.done = true;
+    bytes -= message.bytes;
+    window.confirmed(message.sentAt, now);
   }
 
   /** Removes and returns the oldest message if it is done, or returns null. */
   @Nullable Outgoing pollDone() {
     Outgoing first = messages.peek();
-    return first != null && first.done ? poll() : null;
+    return first != null && first.done ? messages.poll() : null;
+  }
+
+  /** Removes and returns the oldest message of a lost connection, or returns null at the end. */
+  @Nullable Outgoing pollLost() {
+    window.reset();
+    bytes = 0;
+    return messages.poll();
   }
 }

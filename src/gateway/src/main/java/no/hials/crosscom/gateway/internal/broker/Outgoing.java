@@ -5,24 +5,38 @@ import org.jspecify.annotations.Nullable;
 
 /** A message that the broker has not confirmed yet. Used by the thread of the session. */
 final class Outgoing {
+  /** The approximate size of the topic and the headers. */
+  private static final int OVERHEAD = 100;
+
   /** Goes to the store if the broker does not confirm the message; null to forget it. */
   final @Nullable Supplier<StoredMessage> spare;
 
   /** The stored message; null if the message is new. */
   final @Nullable StoredMessage stored;
 
-  /** The size of the message if only a round trip confirms it; otherwise 0. */
+  /** The approximate size of the packet; 0 if none is sent. */
   final int bytes;
 
+  /** When the message was sent, in nanoseconds. */
+  final long sentAt;
+
+  /** Whether the broker has confirmed or refused the message. */
   boolean done;
 
+  /**
+   * Creates a message.
+   *
+   * @param now the time in nanoseconds
+   */
   Outgoing(
       Publication message,
       @Nullable Supplier<StoredMessage> spare,
-      @Nullable StoredMessage stored) {
+      @Nullable StoredMessage stored,
+      long now) {
     this.spare = spare;
     this.stored = stored;
-    this.bytes = message.qos() == 0 ? message.payload().remaining() : 0;
+    this.bytes = message.payload().remaining() + OVERHEAD;
+    this.sentAt = now;
   }
 
   /** Creates a stored message that is not published. */
@@ -30,6 +44,7 @@ final class Outgoing {
     this.spare = null;
     this.stored = stored;
     this.bytes = 0;
+    this.sentAt = 0;
     this.done = true;
   }
 }

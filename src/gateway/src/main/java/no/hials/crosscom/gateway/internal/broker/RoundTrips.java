@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class RoundTrips {
   /** A question is asked after as many bytes, also if others are not answered. */
-  private static final int BYTES = 25_000;
+  private static final int BYTES = 8_000;
 
   private final Supplier<CompletableFuture<?>> question;
 

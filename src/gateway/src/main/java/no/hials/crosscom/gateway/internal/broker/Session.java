@@ -117,7 +117,7 @@ public final class Session implements AutoCloseable {
    */
   public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
     if (hasRoom() || (connected && spare == null)) {
-      send(message, new Outgoing(message, spare, null));
+      send(message, spare, null);
       return true;
     }
     if (spare != null) {
@@ -145,7 +145,7 @@ public final class Session implements AutoCloseable {
 
   /** Publishes a stored message; for {@link Traffic#forward}. */
   public void publishStored(Publication message, StoredMessage stored) {
-    send(message, new Outgoing(message, null, stored));
+    send(message, null, stored);
   }
 
   /** Counts stored messages or values that can no longer be published. */
@@ -174,9 +174,13 @@ public final class Session implements AutoCloseable {
     return opened;
   }
 
-  private void send(Publication message, Outgoing one) {
+  private void send(
+      Publication message,
+      @Nullable Supplier<StoredMessage> spare,
+      @Nullable StoredMessage stored) {
+    Outgoing one = new Outgoing(message, spare, stored, System.nanoTime());
     if (inFlight.isEmpty()) {
-      lastAnswer = System.nanoTime();
+      lastAnswer = one.sentAt;
     }
     inFlight.add(one);
     Link over = link;
@@ -201,16 +205,15 @@ public final class Session implements AutoCloseable {
     Throwable cause = Link.cause(failure);
     if (cause == null) {
       figures.published.inc();
-      one.done = true;
-      confirm();
     } else if (Refusals.isRefusal(cause)) {
       figures.dropped("refused", 1);
       refusals.log(message.topic(), cause);
-      one.done = true;
-      confirm();
     } else {
       lost(over, cause);
+      return;
     }
+    inFlight.done(one, lastAnswer);
+    confirm();
   }
 
   /** Removes the oldest finished messages, and confirms them to the store. */
@@ -437,7 +440,7 @@ public final class Session implements AutoCloseable {
   /** Stores what the broker has not confirmed, and forwards the rest of the store later. */
   private void keep() {
     store().rewind();
-    for (Outgoing one = inFlight.poll(); one != null; one = inFlight.poll()) {
+    for (Outgoing one = inFlight.pollLost(); one != null; one = inFlight.pollLost()) {
       if (!one.done && one.spare != null) {
         store().add(one.spare.get());
       }

@@ -1,0 +1,78 @@
+package no.hials.crosscom.gateway.internal.broker;
+
+import java.util.concurrent.TimeUnit;
+
+/**
+ * The number of bytes that may wait for the broker at a time, adapted to the speed of a connection.
+ * Keep-alives wait behind these bytes, so a slow connection with too many of them looks lost. Not
+ * thread-safe.
+ */
+final class SendWindow {
+  static final int FIRST = 16_000;
+  static final int SMALLEST = 4_000;
+  static final int LARGEST = 1_024_000;
+
+  /** A connection that confirms a message in less time can carry more at a time. */
+  private static final long QUICK = TimeUnit.SECONDS.toNanos(1);
+
+  /** A connection that takes longer to confirm a message carries too much at a time. */
+  private static final long SLOW = TimeUnit.SECONDS.toNanos(2);
+
+  private int size = FIRST;
+
+  /** Whether at least half of the window was in use since it was changed. */
+  private boolean used;
+
+  /** Whether the window was changed on this connection. */
+  private boolean changed;
+
+  /** The time of the last change. */
+  private long changedAt;
+
+  /** Returns the size in bytes. */
+  int size() {
+    return size;
+  }
+
+  /** Begins again, for another connection. */
+  void reset() {
+    size = FIRST;
+    used = false;
+    changed = false;
+  }
+
+  /**
+   * Called when a message is sent.
+   *
+   * @param bytes the bytes that now wait for the broker
+   */
+  void sent(long bytes) {
+    used |= bytes >= size / 2;
+  }
+
+  /**
+   * Called when a message is confirmed. Messages from before the last change do not count: their
+   * delay is that of another window.
+   *
+   * @param sentAt when it was sent, in nanoseconds
+   * @param now the time in nanoseconds
+   */
+  void confirmed(long sentAt, long now) {
+    if (changed && sentAt - changedAt < 0) {
+      return;
+    }
+    long delay = now - sentAt;
+    if (delay > SLOW) {
+      resize(Math.max(SMALLEST, size / 2), now);
+    } else if (delay < QUICK && used) {
+      resize(Math.min(LARGEST, size * 2), now);
+    }
+  }
+
+  private void resize(int bytes, long now) {
+    size = bytes;
+    used = false;
+    changed = true;
+    changedAt = now;
+  }
+}

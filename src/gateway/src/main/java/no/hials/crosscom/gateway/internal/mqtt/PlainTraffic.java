@@ -5,6 +5,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -42,6 +43,9 @@ final class PlainTraffic implements Traffic {
 
   /** The robots, and whether their status topics show that they are connected. */
   private final Map<RobotFeed, Boolean> robots = new LinkedHashMap<>();
+
+  /** The retained messages that wait for room, by topic; each is the last one of its topic. */
+  private final Map<String, byte[]> due = new LinkedHashMap<>();
 
   /** Topics on which an older value was published after the last one. */
   private final Set<String> behind = new LinkedHashSet<>();
@@ -82,10 +86,26 @@ final class PlainTraffic implements Traffic {
     session.publish(status("online"), null);
     robots.forEach(this::publishStatus);
     behind.clear();
-    current.values().forEach(messages -> messages.forEach(this::retain));
+    current.values().forEach(due::putAll);
+    publishDue();
   }
 
   private void retain(String topic, byte[] payload) {
+    due.put(topic, payload);
+    publishDue();
+  }
+
+  /** Publishes the retained messages that wait, as far as there is room for them. */
+  private void publishDue() {
+    Iterator<Map.Entry<String, byte[]>> waiting = due.entrySet().iterator();
+    while (waiting.hasNext() && session.hasRoom()) {
+      Map.Entry<String, byte[]> next = waiting.next();
+      waiting.remove();
+      publishRetained(next.getKey(), next.getValue());
+    }
+  }
+
+  private void publishRetained(String topic, byte[] payload) {
     session.publish(new Publication(topic, payload, qos, true), null);
   }
 
@@ -98,6 +118,7 @@ final class PlainTraffic implements Traffic {
         publishStatus(robot.getKey(), now);
       }
     }
+    publishDue();
   }
 
   private void publishStatus(RobotFeed robot, boolean connected) {
@@ -128,8 +149,10 @@ final class PlainTraffic implements Traffic {
               new Publication(topic, payload, qos, true), () -> new StoredMessage(topic, payload));
       if (live) {
         behind.remove(topic);
+        due.remove(topic);
       } else if (session.isConnected()) {
         behind.add(topic);
+        due.replace(topic, payload);
       }
     }
   }
@@ -160,6 +183,10 @@ final class PlainTraffic implements Traffic {
 
   @Override
   public boolean forward(StoredMessage message) {
+    publishDue();
+    if (!due.isEmpty()) {
+      return false; // current values first
+    }
     behind.add(message.topic());
     session.publishStored(
         new Publication(message.topic(), message.payload(), qos, false, null), message);
@@ -175,14 +202,18 @@ final class PlainTraffic implements Traffic {
                 messages.forEach(
                     (topic, payload) -> {
                       if (behind.contains(topic)) {
-                        retain(topic, payload);
+                        due.put(topic, payload);
                       }
                     }));
     behind.clear();
+    publishDue();
   }
 
   @Override
   public void closing() {
     session.publish(status("offline"), null);
+    // there is no later time, so the broker gets what it can in the last two seconds
+    due.forEach(this::publishRetained);
+    due.clear();
   }
 }

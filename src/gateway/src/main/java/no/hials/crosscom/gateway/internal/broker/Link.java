@@ -3,8 +3,10 @@ package no.hials.crosscom.gateway.internal.broker;
 import com.hivemq.client.mqtt.MqttClient;
 import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.MqttClientSslConfig;
+import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
 import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
 import java.io.IOException;
+import java.nio.channels.ClosedChannelException;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
@@ -132,10 +134,13 @@ interface Link {
   /** Returns why a connection was lost or not made. */
   static String reason(Throwable failure) {
     Throwable cause = failure.getCause();
-    return String.valueOf(
-        failure instanceof ConnectionFailedException && cause != null
-            ? cause.getMessage()
-            : failure.getMessage());
+    boolean wraps =
+        failure instanceof ConnectionFailedException
+            || failure instanceof ConnectionClosedException;
+    Throwable first = wraps && cause != null ? cause : failure;
+    return first instanceof ClosedChannelException
+        ? "the connection was closed"
+        : String.valueOf(first.getMessage());
   }
 
   private static @Nullable String password(BrokerSettings settings) throws FileException {

@@ -253,6 +253,9 @@ public final class SparkplugTraffic implements Traffic {
     }
     if (!device.isBorn() || device.isChanged()) {
       birth(device);
+      if (!session.hasRoom()) {
+        return false; // after the birth
+      }
     }
     session.publishStored(message("DDATA", device.name(), metrics), message);
     return true;

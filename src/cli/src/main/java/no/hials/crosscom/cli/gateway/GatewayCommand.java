@@ -56,6 +56,7 @@ public final class GatewayCommand extends ConsoleCommand {
   public ExitCode run() throws IOException {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add("-XX:-UseDynamicNumberOfGCThreads"); // Java 17 does not end if one cannot start
     command.add("-jar");
     command.add(jar().toString());
     command.addAll(arguments);

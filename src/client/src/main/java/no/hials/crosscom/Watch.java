@@ -59,6 +59,8 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   /** A reading that is further away is not waited for when there is a connection again. */
   private static final long FAR_AWAY = Duration.ofSeconds(1).toNanos();
 
+  private static final long SOON = Duration.ofMillis(100).toNanos();
+
   /** Runs the sampler, and completes the subscribers. */
   private final SerialExecutor sampling;
 
@@ -319,7 +321,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       if (lost) {
         stop();
       }
-      endReading();
+      endReading(failure != null);
     }
 
     private void sample(List<Item> items, Duration duration) {
@@ -336,7 +338,7 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     @Override
     public void broken(Throwable failure) {
       if (outlives(failure)) {
-        endReading();
+        endReading(true);
       } else {
         end(failure);
       }
@@ -353,11 +355,11 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
     return shortOfMemory;
   }
 
-  private void endReading() {
+  private void endReading(boolean failed) {
     synchronized (this) {
       reading = false;
-      if (readAgain && isFarAway()) {
-        next = System.nanoTime();
+      if (readAgain && failed && isFarAway()) {
+        next = System.nanoTime() + SOON; // its sample is created first
       }
       readAgain = false;
     }

@@ -509,8 +509,21 @@ class WatchTest extends RobotTest {
       robot.disconnectClients();
 
       assertThat(next().value("$OV_PRO")).isEqualTo(new KrlInt(50));
+      assertThat(samples.poll(300, TimeUnit.MILLISECONDS)).isNull();
       assertThat(slow.missedPeriods() + slow.failedPolls()).isZero();
       assertThat(fast.polls()).isPositive();
+    }
+  }
+
+  @Test
+  void aReadingThatConnectsIsNotRepeated() throws Exception {
+    ClientConfig config = ClientConfig.create(robot.host(), cfg -> cfg.port(robot.port()));
+    try (CrossComClient lazy = CrossComClient.lazy(config);
+        Watch watch = lazy.watch(Duration.ofHours(1), samples::add, "$OV_PRO")) {
+      assertThat(next().value("$OV_PRO")).isEqualTo(new KrlInt(100));
+      assertThat(samples.poll(300, TimeUnit.MILLISECONDS)).isNull();
+      assertThat(watch.polls()).isOne();
+      assertThat(watch.missedPeriods()).isZero();
     }
   }
 

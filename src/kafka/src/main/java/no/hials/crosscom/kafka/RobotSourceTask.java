@@ -68,6 +68,7 @@ public final class RobotSourceTask extends SourceTask {
   private String lost = "";
 
   private long lastBeat;
+  private long beats;
   private long lastCheck;
   private long records;
 
@@ -291,9 +292,12 @@ public final class RobotSourceTask extends SourceTask {
             .put("records", records)
             .put("missed", robots.stream().mapToLong(RobotSource::missed).sum())
             .put("lost", robots.stream().mapToLong(RobotSource::lost).sum());
+    // moves the offset of one robot on, unless another task may have the robot now
+    RobotSource robot = robots.isEmpty() ? null : robots.get((int) (beats++ % robots.size()));
+    Map<String, Object> offset = robot == null || !mayUse() ? null : robot.quietOffset();
     return new Given(
-        Map.of("task", own.taskNumber()),
-        Map.of("time", moment.millis()),
+        robot == null || offset == null ? Map.of("task", own.taskNumber()) : robot.partition(),
+        offset == null ? Map.of("time", moment.millis()) : offset,
         own.getString(ConnectorSettings.LEASE_TOPIC),
         own.connector() + "-" + own.taskNumber(),
         value,

@@ -37,15 +37,20 @@ final class MissedReadings {
   }
 
   /**
-   * Continues from a stored offset, if a period is not in it from a time.
+   * Continues from a stored offset. A period that it does not have is new.
    *
    * @param offset an offset that {@link #stored} is a part of
+   * @param otherwise the time of all periods, if the offset has none
    */
   void restore(Map<String, ?> offset, Instant otherwise) {
+    boolean hasNone = offset.keySet().stream().noneMatch(key -> key.startsWith(STORED));
     for (Duration period : periods) {
       Object time = offset.get(STORED + period.toMillis());
-      last.put(
-          period, time instanceof Number it ? Instant.ofEpochMilli(it.longValue()) : otherwise);
+      if (time instanceof Number millis) {
+        last.put(period, Instant.ofEpochMilli(millis.longValue()));
+      } else if (hasNone) {
+        last.put(period, otherwise);
+      }
     }
   }
 
@@ -93,14 +98,13 @@ final class MissedReadings {
       last.put(period, time);
       return missed;
     }
-    long millis = Math.max(0, Duration.between(before, time).toMillis());
     if (failed && time.isBefore(connectBy)) {
-      long due = millis / period.toMillis();
-      last.put(period, before.plus(period.multipliedBy(due)));
-      return due;
+      return 0; // perhaps not connected yet: the next one counts it as well
     }
     unread.remove(period);
     last.put(period, time);
-    return Math.max(0, millis - 1) / period.toMillis(); // one that is due now is made
+    // a robot that is off is tried, and a reading that is due now is made
+    Instant end = failed && connectBy.isAfter(before) ? connectBy : time;
+    return Math.max(0, Duration.between(before, end).toMillis() - 1) / period.toMillis();
   }
 }

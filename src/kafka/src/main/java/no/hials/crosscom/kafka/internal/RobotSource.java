@@ -66,6 +66,9 @@ public final class RobotSource implements Closeable {
   private @Nullable OpenGap gap;
   private long lost;
 
+  /** The number of items in the queue, or taken from it but not passed to {@link #take}. */
+  private int waiting;
+
   /** The samples that the feed has dropped, as counted in the gaps. */
   private long dropped;
 
@@ -87,7 +90,7 @@ public final class RobotSource implements Closeable {
 
   /** A gap that the next sample ends. */
   private static final class OpenGap {
-    private final Instant from;
+    private Instant from;
     private String reason;
     private long missed;
     private long lost;
@@ -95,6 +98,11 @@ public final class RobotSource implements Closeable {
     OpenGap(Instant from, String reason) {
       this.from = from;
       this.reason = reason;
+    }
+
+    /** Returns whether readings or samples are known to be missing. */
+    boolean hasNumber() {
+      return missed > 0 || lost > 0;
     }
   }
 
@@ -140,6 +148,20 @@ public final class RobotSource implements Closeable {
   /** Returns the partition of its source offset. */
   public Map<String, String> partition() {
     return Map.of(PARTITION, name());
+  }
+
+  /**
+   * Returns the source offset up to the last reading, if it has told nothing new: values that stay
+   * the same, or attempts to read a robot that is off.
+   *
+   * @return null if there was no record yet, or one waits
+   */
+  public synchronized @Nullable Map<String, Object> quietOffset() {
+    if (sequence == 0 || waiting > 0 || gap != null) {
+      return null;
+    }
+    stored = readings.stored();
+    return offset();
   }
 
   /** Returns the source offset of the last record. */
@@ -233,10 +255,12 @@ public final class RobotSource implements Closeable {
     boolean byTime = readings.isUnread(period);
     long leftOut = readings.read(period, time, missedBefore, failed);
     lastRead = later(lastRead, time);
-    if (leftOut > 0) {
+    if (leftOut > 0 && byTime) {
+      openGap(lastTime, unreadReason).missed += leftOut;
+    } else if (leftOut > 0) {
       // the clock may have been set back
       Instant from = before != null && before.isBefore(time) ? before : time;
-      openGap(from, byTime ? unreadReason : TOO_SLOW).missed += leftOut;
+      openGap(from, TOO_SLOW).missed += leftOut;
     }
   }
 
@@ -248,7 +272,7 @@ public final class RobotSource implements Closeable {
   }
 
   private void add(Update update) {
-    if (closeGap() && queue.offer(item(update, null))) {
+    if (closeGap() && offer(update, null)) {
       lastTime = later(lastTime, update.time());
     } else {
       lose(1, "the buffer of the task was full");
@@ -271,8 +295,9 @@ public final class RobotSource implements Closeable {
     if (open == null) {
       open = new OpenGap(from, reason);
       gap = open;
-    } else if (!open.reason.contains(reason)) {
-      open.reason += "; " + reason;
+    } else {
+      open.from = from.isBefore(open.from) ? from : open.from;
+      open.reason += open.reason.contains(reason) ? "" : "; " + reason;
     }
     return open;
   }
@@ -285,7 +310,7 @@ public final class RobotSource implements Closeable {
     }
     Instant end = lastRead.isBefore(open.from) ? open.from : lastRead;
     Gap closed = new Gap(open.from, end, open.missed, open.lost, open.reason);
-    boolean queued = queue.offer(item(null, closed));
+    boolean queued = offer(null, closed);
     if (queued) {
       gap = null;
       lastTime = later(lastTime, end);
@@ -293,8 +318,10 @@ public final class RobotSource implements Closeable {
     return queued;
   }
 
-  private Item item(@Nullable Update update, @Nullable Gap of) {
-    return new Item(this, update, of, readings.stored());
+  private boolean offer(@Nullable Update update, @Nullable Gap of) {
+    boolean queued = queue.offer(new Item(this, update, of, readings.stored()));
+    waiting += queued ? 1 : 0;
+    return queued;
   }
 
   /** Begins a gap. Called when the robot, which was not read for a while, is read again. */
@@ -317,7 +344,7 @@ public final class RobotSource implements Closeable {
     synchronized (this) {
       addDropped(own.droppedSamples());
       // a gap without a number ends with the next reading
-      if (gap != null && gap.missed + gap.lost > 0) {
+      if (gap != null && gap.hasNumber()) {
         boolean unused = closeGap();
       }
     }
@@ -326,6 +353,9 @@ public final class RobotSource implements Closeable {
   /** Returns the record value of a queued item, and counts the item. */
   public Struct take(Item item, SampleRecords records) {
     sequence++;
+    synchronized (this) {
+      waiting--;
+    }
     stored = item.stored;
     lastMillis = later(Instant.ofEpochMilli(lastMillis), item.time()).toEpochMilli();
     Gap of = item.gap;

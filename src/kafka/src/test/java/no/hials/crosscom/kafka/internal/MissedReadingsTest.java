@@ -42,11 +42,20 @@ class MissedReadingsTest {
   }
 
   @Test
-  void aPeriodThatTheOffsetDoesNotHaveCountsFromTheGivenTime() {
+  void aPeriodThatIsNewHasMissedNothing() {
     readings.restore(Map.of("read.1000", 1_000_000L), at(-5000));
     readings.resume(at(0));
 
+    assertThat(read(FAST, 10, 0)).isZero();
+  }
+
+  @Test
+  void allPeriodsOfAnOffsetWithoutThemCountFromTheGivenTime() {
+    readings.restore(Map.of("sequence", 7L), at(-5000));
+    readings.resume(at(0));
+
     assertThat(read(FAST, 10, 0)).isEqualTo(50);
+    assertThat(read(SLOW, 10, 0)).isEqualTo(5);
   }
 
   @Test
@@ -74,9 +83,9 @@ class MissedReadingsTest {
     readings.restore(Map.of(), at(0));
     readings.resume(at(1000));
 
-    assertThat(readings.read(FAST, at(1050), 0, true)).isEqualTo(10);
-    assertThat(readings.read(FAST, at(1150), 0, true)).isEqualTo(1);
-    assertThat(read(FAST, 1250, 0)).isEqualTo(1);
+    assertThat(readings.read(FAST, at(1050), 0, true)).isZero();
+    assertThat(readings.read(FAST, at(1150), 0, true)).isZero();
+    assertThat(read(FAST, 1250, 0)).isEqualTo(12);
   }
 
   @Test
@@ -84,7 +93,7 @@ class MissedReadingsTest {
     readings.restore(Map.of(), at(0));
     readings.resume(at(1000));
 
-    assertThat(readings.read(FAST, at(3050), 0, true)).isEqualTo(30);
+    assertThat(readings.read(FAST, at(3050), 0, true)).isEqualTo(29);
     assertThat(readings.read(FAST, at(3150), 0, true)).isZero();
   }
 

@@ -16,6 +16,7 @@ final class Cable implements AutoCloseable {
   private final Set<Socket> sockets = ConcurrentHashMap.newKeySet();
   private boolean connected;
   private boolean held;
+  private boolean waits;
 
   /** Creates a cable that is cut until {@link #connect}. */
   Cable(int target) throws IOException {
@@ -38,7 +39,16 @@ final class Cable implements AutoCloseable {
   }
 
   private synchronized void awaitRelease() throws InterruptedException {
+    waits = held;
+    notifyAll();
     while (held) {
+      wait();
+    }
+  }
+
+  /** Waits until something is held. */
+  synchronized void awaitHeld() throws InterruptedException {
+    while (!waits) {
       wait();
     }
   }

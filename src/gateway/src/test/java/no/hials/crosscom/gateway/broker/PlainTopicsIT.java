@@ -86,15 +86,39 @@ class PlainTopicsIT extends BrokerTest {
 
       gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt(broker)));
 
-      observer.await(
-          all ->
-              all.stream()
-                  .anyMatch(
-                      it ->
-                          it.getTopic().toString().equals("robots/cell1/$MODE_OP")
-                              && it.getPayloadAsBytes().length == 0));
+      awaitDeletion(observer);
       observer.forget();
       observer.await("robots/cell1/$OV_PRO", "good");
+    }
+  }
+
+  private static void awaitDeletion(Observer observer) throws InterruptedException {
+    observer.await(
+        all ->
+            all.stream()
+                .anyMatch(
+                    it ->
+                        it.getTopic().toString().equals("robots/cell1/$MODE_OP")
+                            && it.getPayloadAsBytes().length == 0));
+  }
+
+  @Test
+  void aDeletionThatTheBrokerDidNotGetIsRepeated() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Cable cable = new Cable(broker.port());
+        Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      cable.connect();
+      String mqtt = "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n";
+      start(READ_ALL + mqtt);
+      observer.await("robots/cell1/$MODE_OP", "good");
+
+      cable.hold();
+      gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt));
+      cable.awaitHeld();
+      cable.cut();
+      cable.connect();
+
+      awaitDeletion(observer);
     }
   }
 }

@@ -47,6 +47,9 @@ final class PlainTraffic implements Traffic {
   /** The retained messages that wait for room, by topic; each is the last one of its topic. */
   private final Map<String, byte[]> due = new LinkedHashMap<>();
 
+  /** The topics of removed robots and variables, whose retained values must not come back. */
+  private final Set<String> deleted = new LinkedHashSet<>();
+
   /** Topics on which an older value was published after the last one. */
   private final Set<String> behind = new LinkedHashSet<>();
 
@@ -87,6 +90,7 @@ final class PlainTraffic implements Traffic {
     robots.forEach(this::publishStatus);
     behind.clear();
     current.values().forEach(due::putAll);
+    deleted.forEach(topic -> due.put(topic, NOTHING));
     publishDue();
   }
 
@@ -134,6 +138,7 @@ final class PlainTraffic implements Traffic {
   /** Adds a robot. */
   void added(RobotFeed robot) {
     robots.put(robot, robot.isConnected());
+    deleted.remove(topics.robot(robot.name()));
     publishStatus(robot, robot.isConnected());
   }
 
@@ -144,6 +149,7 @@ final class PlainTraffic implements Traffic {
       String topic = topics.variable(robot.name(), update.variable().key());
       byte[] payload = json.of(update);
       messages.put(topic, payload);
+      deleted.remove(topic);
       boolean live =
           session.publish(
               new Publication(topic, payload, qos, true), () -> new StoredMessage(topic, payload));
@@ -151,8 +157,7 @@ final class PlainTraffic implements Traffic {
         behind.remove(topic);
         due.remove(topic);
       } else if (session.isConnected()) {
-        behind.add(topic);
-        due.replace(topic, payload);
+        due.put(topic, payload); // the current value does not wait for those that are stored
       }
     }
   }
@@ -172,13 +177,19 @@ final class PlainTraffic implements Traffic {
     for (String topic : new ArrayList<>(messages.keySet())) {
       if (!kept.contains(topic)) {
         messages.remove(topic);
-        retain(topic, NOTHING);
+        delete(topic);
       }
     }
     if (!context.plant().robots().containsKey(robot.name())) {
-      retain(topics.robot(robot.name()), NOTHING);
+      delete(topics.robot(robot.name()));
       current.remove(robot.name());
     }
+  }
+
+  /** Deletes a retained value now, and again with each connection: the broker may not get it. */
+  private void delete(String topic) {
+    deleted.add(topic);
+    retain(topic, NOTHING);
   }
 
   @Override

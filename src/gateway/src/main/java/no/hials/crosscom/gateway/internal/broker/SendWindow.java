@@ -12,13 +12,17 @@ final class SendWindow {
   static final int SMALLEST = 4_000;
   static final int LARGEST = 1_024_000;
 
-  /** A connection that confirms a message in less time can carry more at a time. */
+  /** A delay that is longer than the shortest one by less means: more can be on the way. */
   private static final long QUICK = TimeUnit.SECONDS.toNanos(1);
 
-  /** A connection that takes longer to confirm a message carries too much at a time. */
+  /** A delay that is longer than the shortest one by more means: too much is on the way. */
   private static final long SLOW = TimeUnit.SECONDS.toNanos(2);
 
+  /** The maximum round trip; a longer delay comes from what is on the way. */
+  private static final long LONGEST_TRIP = TimeUnit.MILLISECONDS.toNanos(1200);
+
   private int size = FIRST;
+  private long shortest = LONGEST_TRIP;
 
   /** Whether at least half of the window was in use since it was changed. */
   private boolean used;
@@ -37,6 +41,7 @@ final class SendWindow {
   /** Begins again, for another connection. */
   void reset() {
     size = FIRST;
+    shortest = LONGEST_TRIP;
     used = false;
     changed = false;
   }
@@ -62,9 +67,12 @@ final class SendWindow {
       return;
     }
     long delay = now - sentAt;
-    if (delay > SLOW) {
+    shortest = Math.min(shortest, delay);
+    // a message that only a question confirms can wait for another question first
+    long trips = 2 * shortest;
+    if (delay > trips + SLOW) {
       resize(Math.max(SMALLEST, size / 2), now);
-    } else if (delay < QUICK && used) {
+    } else if (delay < trips + QUICK && used) {
       resize(Math.min(LARGEST, size * 2), now);
     }
   }

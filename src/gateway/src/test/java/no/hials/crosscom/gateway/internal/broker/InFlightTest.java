@@ -59,6 +59,7 @@ class InFlightTest {
 
   @Test
   void quickConfirmationsDoubleTheWindowOncePerRoundTrip() {
+    confirm(send(1, 0), 1);
     confirm(fill(1), 999);
     List<Outgoing> second = fill(1);
     confirm(second, 100);
@@ -78,23 +79,34 @@ class InFlightTest {
 
   @Test
   void confirmationsWithinOneAndTwoSecondsKeepTheWindow() {
-    confirm(fill(1), 1000);
-    confirm(fill(1), 2000);
+    confirm(send(1, 0), 1);
+    confirm(fill(1), 1100);
+    confirm(fill(1), 1900);
 
     assertThat(fill(1)).hasSize(16);
   }
 
   @Test
   void aSlowConfirmationHalvesTheWindow() {
-    confirm(fill(1), 2001);
+    confirm(send(1, 0), 1);
+    confirm(fill(1), 2100);
 
     assertThat(fill(1)).hasSize(8);
   }
 
   @Test
+  void aLongRoundTripIsNotASlowConnection() {
+    confirm(send(1, 0), 1200);
+    confirm(fill(1), 2400);
+
+    assertThat(fill(1)).hasSize(32);
+  }
+
+  @Test
   void aMessageFromBeforeAChangeDoesNotCount() {
+    confirm(send(1, 0), 1);
     List<Outgoing> sent = fill(1);
-    confirm(sent.get(0), 2001);
+    confirm(sent.get(0), 2100);
     confirm(sent.get(1), 2000);
 
     confirm(sent.subList(2, 16), 0);

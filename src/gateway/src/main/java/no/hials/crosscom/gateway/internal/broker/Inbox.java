@@ -3,6 +3,7 @@ package no.hials.crosscom.gateway.internal.broker;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.Iterator;
+import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -10,12 +11,20 @@ import org.jspecify.annotations.Nullable;
  * updates is limited: above the limit, the oldest tasks with updates are dropped. Thread-safe.
  */
 final class Inbox {
+  /** After this time, an update is stored rather than kept in memory. */
+  private static final long LONGEST_WAIT = TimeUnit.SECONDS.toNanos(2);
+
   private final int limit;
   private final Deque<Task> tasks = new ArrayDeque<>();
   private int updates;
 
-  /** A task and the number of its updates; 0 for a task that is never dropped. */
-  record Task(int updates, Runnable action) {}
+  /**
+   * A task.
+   *
+   * @param updates the number of its updates; 0 for a task that is never dropped
+   * @param addedAt the time in nanoseconds
+   */
+  record Task(int updates, Runnable action, long addedAt) {}
 
   Inbox(int limit) {
     this.limit = limit;
@@ -23,7 +32,7 @@ final class Inbox {
 
   /** Adds a task, and returns the number of updates that were dropped to make room. */
   synchronized int add(int more, Runnable action) {
-    tasks.add(new Task(more, action));
+    tasks.add(new Task(more, action, System.nanoTime()));
     updates += more;
     int dropped = 0;
     for (Iterator<Task> all = tasks.iterator(); updates > limit && all.hasNext(); ) {
@@ -47,8 +56,10 @@ final class Inbox {
     return task.action;
   }
 
-  /** Returns whether the waiting updates exceed half of the limit. */
-  synchronized boolean isHalfFull() {
-    return updates > limit / 2;
+  /** Returns whether the waiting updates exceed half of the limit, or the oldest waits too long. */
+  synchronized boolean isLate() {
+    Task oldest = tasks.peek();
+    return updates > limit / 2
+        || (oldest != null && System.nanoTime() - oldest.addedAt > LONGEST_WAIT);
   }
 }

@@ -3,6 +3,7 @@ package no.hials.crosscom.gateway.internal.broker;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
 import java.util.Objects;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
@@ -31,6 +32,7 @@ public final class Session implements AutoCloseable {
   /** After this time without an answer that it owes, the broker is lost. */
   private static final Duration LONGEST_SILENCE = Duration.ofSeconds(60);
 
+  private static final int ANSWERS = 1000;
   private static final int TASKS_AT_ONCE = 200;
   private static final long TICK = Duration.ofMillis(250).toNanos();
   private static final long PAUSE = Duration.ofMillis(50).toNanos();
@@ -42,6 +44,7 @@ public final class Session implements AutoCloseable {
   private final SessionFigures figures;
   private final Duration longestSilence;
   private final Inbox inbox = new Inbox(INBOX);
+  private final Inbox answers = new Inbox(ANSWERS);
   private final Queue<Runnable> events = new ConcurrentLinkedQueue<>();
   private final Thread thread;
   private volatile boolean closing;
@@ -83,7 +86,7 @@ public final class Session implements AutoCloseable {
     this.folder = folder;
     this.refusals = new Refusals(name);
     this.figures = new SessionFigures(health, name);
-    this.thread = new Thread(this::run, "mqtt-" + name);
+    this.thread = new Thread(this::loop, "mqtt-" + name);
     thread.setDaemon(true);
   }
 
@@ -101,6 +104,21 @@ public final class Session implements AutoCloseable {
    */
   public void submit(int updates, Runnable task) {
     figures.dropped("queue", inbox.add(updates, task));
+    LockSupport.unpark(thread);
+  }
+
+  /**
+   * Runs a task that publishes one message on the thread of the session, as soon as there is room
+   * for it and before any update. If too many wait, the oldest are lost and counted.
+   */
+  public void submitAnswer(Runnable task) {
+    figures.dropped("queue", answers.add(1, task));
+    LockSupport.unpark(thread);
+  }
+
+  /** Runs a task on the thread of the session soon, whether there is room or not. */
+  public void run(Runnable task) {
+    events.add(task);
     LockSupport.unpark(thread);
   }
 
@@ -189,12 +207,7 @@ public final class Session implements AutoCloseable {
     }
     CompletableFuture<?> unused =
         over.publishConfirmed(message)
-            .whenComplete((result, failure) -> post(() -> sent(over, message, one, failure)));
-  }
-
-  private void post(Runnable event) {
-    events.add(event);
-    LockSupport.unpark(thread);
+            .whenComplete((result, failure) -> run(() -> sent(over, message, one, failure)));
   }
 
   private void sent(Link over, Publication message, Outgoing one, @Nullable Throwable failure) {
@@ -229,7 +242,7 @@ public final class Session implements AutoCloseable {
     return Objects.requireNonNull(traffic, "not started");
   }
 
-  private void run() {
+  private void loop() {
     try {
       if (!store().isEmpty()) {
         LOG.info("MQTT {}: {} messages of an earlier run are stored", name, store().size());
@@ -292,8 +305,8 @@ public final class Session implements AutoCloseable {
       nextTick = now + TICK;
       traffic().tick();
     }
-    for (int i = 0; i < TASKS_AT_ONCE && mayTake(); i++) {
-      Runnable task = inbox.poll();
+    for (int i = 0; i < TASKS_AT_ONCE; i++) {
+      Runnable task = nextTask();
       if (task == null) {
         break;
       }
@@ -303,9 +316,11 @@ public final class Session implements AutoCloseable {
     return forward() || busy;
   }
 
-  /** Returns whether an update can be published or, if too many wait, must be stored. */
-  private boolean mayTake() {
-    return !connected || inFlight.hasRoom() || closing || inbox.isHalfFull();
+  /** Returns the next answer or update that can be published or must be stored, or null. */
+  private @Nullable Runnable nextTask() {
+    boolean free = !connected || inFlight.hasRoom() || closing;
+    Runnable answer = free ? answers.poll() : null;
+    return answer == null && (free || inbox.isLate()) ? inbox.poll() : answer;
   }
 
   /** Sends stored messages. They get half of the places, so that new messages do not wait. */
@@ -353,7 +368,7 @@ public final class Session implements AutoCloseable {
     Link[] self = new Link[1];
     try {
       Link next =
-          Link.create(settings, traffic().will(), failure -> post(() -> lost(self[0], failure)));
+          Link.create(settings, traffic().will(), failure -> run(() -> lost(self[0], failure)));
       self[0] = next;
       link = next;
       lastAnswer = System.nanoTime();
@@ -364,7 +379,7 @@ public final class Session implements AutoCloseable {
                       next.subscribe(traffic().subscriptions(), () -> next == link, this::refused))
               .whenComplete(
                   (result, failure) ->
-                      post(
+                      run(
                           () -> {
                             Throwable cause = Link.cause(failure);
                             if (cause == null) {
@@ -395,15 +410,9 @@ public final class Session implements AutoCloseable {
     attempts.connected();
     lastFailure = "";
     figures.connected.set(1);
-    if (store().isEmpty()) {
-      LOG.info("MQTT {}: connected to {}", name, settings.url());
-    } else {
-      LOG.info(
-          "MQTT {}: connected to {}, {} stored messages are forwarded",
-          name,
-          settings.url(),
-          store().size());
-    }
+    String stored =
+        store().isEmpty() ? "" : ", " + store().size() + " stored messages are forwarded";
+    LOG.info("MQTT {}: connected to {}{}", name, settings.url(), stored);
     refusals.clear();
     store().reachedBroker();
     traffic().connected();
@@ -449,8 +458,10 @@ public final class Session implements AutoCloseable {
   }
 
   private void end() {
-    for (Runnable task = inbox.poll(); task != null; task = inbox.poll()) {
-      task.run();
+    for (Inbox waiting : List.of(answers, inbox)) {
+      for (Runnable task = waiting.poll(); task != null; task = waiting.poll()) {
+        task.run();
+      }
     }
     Link last = link;
     connected = false;

@@ -84,7 +84,8 @@ final class MqttOutput implements Output {
       return new PlainTraffic(settings, session, context, null);
     }
     TopicCommands topicCommands =
-        new TopicCommands(settings, executor, message -> session.submit(1, () -> answer(message)));
+        new TopicCommands(
+            settings, executor, message -> session.submitAnswer(() -> answer(message)));
     return new PlainTraffic(settings, session, context, topicCommands::receive);
   }
 

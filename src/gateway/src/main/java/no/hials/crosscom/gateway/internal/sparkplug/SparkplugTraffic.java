@@ -310,7 +310,7 @@ public final class SparkplugTraffic implements Traffic {
   private void deviceCommand(Received message) {
     String robot = message.topic().substring(message.topic().lastIndexOf('/') + 1);
     List<Command> wishes = wishes(message);
-    session.submit(1, () -> execute(message, robot, wishes));
+    session.run(() -> execute(message, robot, wishes));
   }
 
   private void execute(Received message, String robot, List<Command> wishes) {

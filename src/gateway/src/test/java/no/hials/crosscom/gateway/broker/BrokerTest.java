@@ -81,11 +81,17 @@ abstract class BrokerTest {
 
   /** Returns the table of a broker on the loopback address. */
   static String mqtt(Mosquitto broker, String... lines) {
-    return "[mqtt]\nurl = \"tcp://127.0.0.1:"
-        + broker.port()
-        + "\"\n"
-        + String.join("\n", lines)
-        + "\n";
+    return mqtt(broker.port(), lines);
+  }
+
+  /** Returns the table of a broker that is behind a cable. */
+  static String mqtt(Cable cable, String... lines) {
+    return mqtt(cable.port(), lines);
+  }
+
+  private static String mqtt(int port, String... lines) {
+    String url = "url = \"tcp://127.0.0.1:" + port + "\"\n";
+    return "[mqtt]\n" + url + String.join("\n", lines) + "\n";
   }
 
   /** Returns a figure of the gateway, summed over its labels. */

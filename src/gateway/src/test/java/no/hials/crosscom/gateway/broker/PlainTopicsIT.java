@@ -108,12 +108,11 @@ class PlainTopicsIT extends BrokerTest {
     try (Cable cable = new Cable(broker.port());
         Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
       cable.connect();
-      String mqtt = "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n";
-      start(READ_ALL + mqtt);
+      start(READ_ALL + mqtt(cable));
       observer.await("robots/cell1/$MODE_OP", "good");
 
       cable.hold();
-      gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt));
+      gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt(cable)));
       cable.awaitHeld();
       cable.cut();
       cable.connect();

@@ -195,8 +195,7 @@ class SparkplugIT extends BrokerTest {
     try (Cable cable = new Cable(broker.port());
         Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
       cable.connect();
-      Gateway reading =
-          start(READ + "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n" + NODE);
+      Gateway reading = start(READ + mqtt(cable, NODE));
       Mqtt5Publish birth = observer.await(DBIRTH, "");
       Object number = metricOf(last(observer, NBIRTH), "bdSeq").getValue();
 
@@ -231,8 +230,7 @@ class SparkplugIT extends BrokerTest {
     try (Cable cable = new Cable(broker.port());
         Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
       cable.connect();
-      Gateway reading =
-          start(READ + "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n" + NODE);
+      Gateway reading = start(READ + mqtt(cable, NODE));
       long alias = metricOf(observer.await(DBIRTH, ""), "COUNTER").getAlias();
       robot.refuseConnections();
       robot.disconnectClients();

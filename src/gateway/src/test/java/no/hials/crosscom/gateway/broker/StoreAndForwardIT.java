@@ -28,10 +28,6 @@ class StoreAndForwardIT extends BrokerTest {
       on-change = true
       """;
 
-  private static String mqtt(Cable cable, String... lines) {
-    return "[mqtt]\nurl = \"tcp://127.0.0.1:" + cable.port() + "\"\n" + String.join("\n", lines);
-  }
-
   @BeforeEach
   void declareCounter() {
     robot.variables().declare("COUNTER", "INT", "0");

@@ -22,14 +22,24 @@ final class InFlight {
     return messages.isEmpty();
   }
 
-  /** Returns whether another message can be sent. */
-  boolean hasRoom() {
-    return messages.size() < MOST && bytes < window.size();
+  /**
+   * Returns whether another message can be sent.
+   *
+   * @param now the time in nanoseconds
+   */
+  boolean hasRoom(long now) {
+    Outgoing oldest = messages.peek();
+    boolean waits = oldest != null && !oldest.done && window.isLate(oldest.sentAt, now);
+    return !waits && messages.size() < MOST && bytes < window.size();
   }
 
-  /** Returns whether less than half of the room is in use. */
-  boolean isHalfEmpty() {
-    return messages.size() < MOST / 2 && bytes < window.size() / 2;
+  /**
+   * Returns whether another message can be sent, and less than half of the room is in use.
+   *
+   * @param now the time in nanoseconds
+   */
+  boolean isHalfEmpty(long now) {
+    return hasRoom(now) && messages.size() < MOST / 2 && bytes < window.size() / 2;
   }
 
   /** Adds a message that is sent now. */

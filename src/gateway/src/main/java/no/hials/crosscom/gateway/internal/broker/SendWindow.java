@@ -21,8 +21,14 @@ final class SendWindow {
   /** The maximum round trip; a longer delay comes from what is on the way. */
   private static final long LONGEST_TRIP = TimeUnit.MILLISECONDS.toNanos(1200);
 
+  /** The shortest delay is that of the last one to two intervals, since a route can change. */
+  private static final long INTERVAL = TimeUnit.SECONDS.toNanos(10);
+
   private int size = FIRST;
   private long shortest = LONGEST_TRIP;
+  private long shortestBefore = LONGEST_TRIP;
+  private boolean measured;
+  private long intervalStart;
 
   /** Whether at least half of the window was in use since it was changed. */
   private boolean used;
@@ -42,6 +48,8 @@ final class SendWindow {
   void reset() {
     size = FIRST;
     shortest = LONGEST_TRIP;
+    shortestBefore = LONGEST_TRIP;
+    measured = false;
     used = false;
     changed = false;
   }
@@ -63,18 +71,36 @@ final class SendWindow {
    * @param now the time in nanoseconds
    */
   void confirmed(long sentAt, long now) {
+    long delay = now - sentAt;
+    measure(delay, now);
     if (changed && sentAt - changedAt < 0) {
       return;
     }
-    long delay = now - sentAt;
-    shortest = Math.min(shortest, delay);
-    // a message that only a question confirms can wait for another question first
-    long trips = 2 * shortest;
-    if (delay > trips + SLOW) {
+    if (delay > trips() + SLOW) {
       resize(Math.max(SMALLEST, size / 2), now);
-    } else if (delay < trips + QUICK && used) {
+    } else if (delay < trips() + QUICK && used) {
       resize(Math.min(LARGEST, size * 2), now);
     }
+  }
+
+  /** Returns whether a message has waited for longer than it does while more can be sent. */
+  boolean isLate(long sentAt, long now) {
+    return now - sentAt > trips() + QUICK;
+  }
+
+  /** Returns two round trips: a message can wait for another question before its own. */
+  private long trips() {
+    return 2 * Math.min(shortest, shortestBefore);
+  }
+
+  private void measure(long delay, long now) {
+    if (!measured || now - intervalStart > INTERVAL) {
+      shortestBefore = shortest;
+      shortest = LONGEST_TRIP;
+      intervalStart = now;
+      measured = true;
+    }
+    shortest = Math.min(shortest, delay);
   }
 
   private void resize(int bytes, long now) {

@@ -146,7 +146,7 @@ public final class Session implements AutoCloseable {
 
   /** Returns whether a message can be sent now; call it only on the thread of the session. */
   public boolean hasRoom() {
-    return connected && inFlight.hasRoom();
+    return connected && inFlight.hasRoom(System.nanoTime());
   }
 
   /** Stores a message, to be forwarded later; call it only on the thread of the session. */
@@ -318,7 +318,7 @@ public final class Session implements AutoCloseable {
 
   /** Returns the next answer or update that can be published or must be stored, or null. */
   private @Nullable Runnable nextTask() {
-    boolean free = !connected || inFlight.hasRoom() || closing;
+    boolean free = !connected || inFlight.hasRoom(System.nanoTime()) || closing;
     Runnable answer = free ? answers.poll() : null;
     return answer == null && (free || inbox.isLate()) ? inbox.poll() : answer;
   }
@@ -326,7 +326,7 @@ public final class Session implements AutoCloseable {
   /** Sends stored messages. They get half of the places, so that new messages do not wait. */
   private boolean forward() {
     boolean busy = false;
-    while (connected && !closing && forwarding && inFlight.isHalfEmpty()) {
+    while (connected && !closing && forwarding && inFlight.isHalfEmpty(System.nanoTime())) {
       StoredMessage next = store().next();
       if (next == null) {
         break;

@@ -26,7 +26,7 @@ class InFlightTest {
   /** Sends messages of 1000 bytes while there is room. */
   private List<Outgoing> fill(int qos) {
     List<Outgoing> sent = new ArrayList<>();
-    while (inFlight.hasRoom()) {
+    while (inFlight.hasRoom(now)) {
       sent.add(send(qos, PAYLOAD));
     }
     return sent;
@@ -95,6 +95,29 @@ class InFlightTest {
   }
 
   @Test
+  void nothingIsSentWhileTheOldestMessageWaitsForLong() {
+    confirm(send(1, 0), 1);
+    Outgoing waiting = send(1, PAYLOAD);
+    now += TimeUnit.MILLISECONDS.toNanos(1100);
+    assertThat(inFlight.hasRoom(now)).isFalse();
+
+    confirm(waiting, 0);
+
+    assertThat(inFlight.hasRoom(now)).isTrue();
+  }
+
+  @Test
+  void aRoundTripThatHasBecomeLongerIsNotASlowConnection() {
+    confirm(send(1, 0), 1);
+    for (int i = 0; i < 20; i++) {
+      confirm(send(1, 0), 1200);
+    }
+    confirm(fill(1), 2400);
+
+    assertThat(fill(1)).hasSize(32);
+  }
+
+  @Test
   void aLongRoundTripIsNotASlowConnection() {
     confirm(send(1, 0), 1200);
     confirm(fill(1), 2400);
@@ -119,14 +142,14 @@ class InFlightTest {
     for (int i = 0; i < 10; i++) {
       confirm(send(0, 50_000), 6000);
     }
-    assertThat(inFlight.hasRoom()).isTrue();
+    assertThat(inFlight.hasRoom(now)).isTrue();
 
     Outgoing large = send(0, 50_000);
 
-    assertThat(inFlight.hasRoom()).isFalse();
-    assertThat(inFlight.isHalfEmpty()).isFalse();
+    assertThat(inFlight.hasRoom(now)).isFalse();
+    assertThat(inFlight.isHalfEmpty(now)).isFalse();
     confirm(large, 6000);
-    assertThat(inFlight.isHalfEmpty()).isTrue();
+    assertThat(inFlight.isHalfEmpty(now)).isTrue();
     assertThat(fill(0)).hasSize(4);
   }
 
@@ -146,7 +169,7 @@ class InFlightTest {
     }
 
     int large = 0;
-    for (; inFlight.hasRoom(); large++) {
+    for (; inFlight.hasRoom(now); large++) {
       send(1, 99_900);
     }
 
@@ -166,7 +189,7 @@ class InFlightTest {
   void aStoredMessageThatIsSkippedNeedsNoRoom() {
     inFlight.add(new Outgoing(new StoredMessage("topic", new byte[50_000])));
 
-    assertThat(inFlight.isHalfEmpty()).isTrue();
+    assertThat(inFlight.isHalfEmpty(now)).isTrue();
     assertThat(inFlight.pollDone()).isNotNull();
   }
 }

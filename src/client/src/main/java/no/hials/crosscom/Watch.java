@@ -77,9 +77,6 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   private final AtomicLong listenerFailures = new AtomicLong();
   private volatile @Nullable Throwable listenerFailure;
 
-  /** When the next reading starts, by {@link System#nanoTime}; used by one thread at a time. */
-  private long next;
-
   /** Whether listeners get no more samples. */
   private volatile boolean listenersDone;
 
@@ -87,9 +84,19 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
   private volatile boolean waiting;
 
   // guarded by this
+  /** When the next reading starts, by {@link System#nanoTime}. */
+  private long next;
+
   private boolean started;
   private boolean reading;
   private boolean readAgain;
+
+  /** Whether a tick is scheduled: then no reading is under way. */
+  private boolean scheduled;
+
+  /** The number of ticks that were scheduled. */
+  private long ticks;
+
   private boolean closed;
   private boolean ended;
   private @Nullable Future<?> nextTick;
@@ -254,35 +261,47 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
       return;
     }
     try {
+      long number = ++ticks;
       long wait = next - System.nanoTime();
-      nextTick = runtime.timer().schedule(this::tick, wait, TimeUnit.NANOSECONDS);
+      nextTick = runtime.timer().schedule(() -> tick(number), wait, TimeUnit.NANOSECONDS);
+      scheduled = true;
     } catch (RejectedExecutionException e) {
       close(); // the runtime is closed
     }
   }
 
   /** Called with each new connection: values that were read before are no longer known. */
-  void connected() {
-    synchronized (this) {
-      readAgain = reading; // which may still fail with the connection before
-      if (reading || nextTick == null || !isFarAway() || !nextTick.cancel(false)) {
-        return;
-      }
+  synchronized void connected() {
+    readAgain = !scheduled; // the reading may still fail with the connection before
+    if (scheduled && nextTick != null && isFarAway()) {
+      nextTick.cancel(false);
       next = System.nanoTime();
+      scheduleTick(); // in place of the one before
     }
-    scheduleTick();
   }
 
   private boolean isFarAway() {
     return next - System.nanoTime() > FAR_AWAY;
   }
 
-  /** Starts a reading at its time, unless the last one still waits. */
-  private void tick() {
+  /** Returns whether a tick is the last one that was scheduled, and then moves on to its next. */
+  private synchronized boolean take(long number) {
+    if (number != ticks) {
+      return false;
+    }
+    scheduled = false;
     long period = config.period().toNanos();
     long late = (System.nanoTime() - next) / period;
     next += (late + 1) * period;
     missed.addAndGet(late);
+    return true;
+  }
+
+  /** Starts a reading at its time, unless the last one still waits. */
+  private void tick(long number) {
+    if (!take(number)) {
+      return;
+    }
     if (waiting) {
       missed.incrementAndGet();
       scheduleTick();
@@ -362,16 +381,12 @@ public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, Au
         next = System.nanoTime() + SOON; // its sample is created first
       }
       readAgain = false;
+      if (!closed) {
+        scheduleTick();
+        return;
+      }
     }
-    if (isClosed()) {
-      end(null);
-    } else {
-      scheduleTick();
-    }
-  }
-
-  private synchronized boolean isClosed() {
-    return closed;
+    end(null);
   }
 
   /**

@@ -32,7 +32,6 @@ public final class Session implements AutoCloseable {
   /** After this time without an answer that it owes, the broker is lost. */
   private static final Duration LONGEST_SILENCE = Duration.ofSeconds(60);
 
-  private static final int ANSWERS = 1000;
   private static final int TASKS_AT_ONCE = 200;
   private static final long TICK = Duration.ofMillis(250).toNanos();
   private static final long PAUSE = Duration.ofMillis(50).toNanos();
@@ -44,7 +43,7 @@ public final class Session implements AutoCloseable {
   private final SessionFigures figures;
   private final Duration longestSilence;
   private final Inbox inbox = new Inbox(INBOX);
-  private final Inbox answers = new Inbox(ANSWERS);
+  private final Inbox answers = new Inbox(1000);
   private final Queue<Runnable> events = new ConcurrentLinkedQueue<>();
   private final Thread thread;
   private volatile boolean closing;
@@ -65,7 +64,8 @@ public final class Session implements AutoCloseable {
 
   private boolean forwarding;
   private long droppedStored;
-  private long nextTick = System.nanoTime();
+  private long now = System.nanoTime(); // the same during a task, so that room stays room
+  private long nextTick = now;
   private String lastFailure = "";
 
   /**
@@ -146,7 +146,7 @@ public final class Session implements AutoCloseable {
 
   /** Returns whether a message can be sent now; call it only on the thread of the session. */
   public boolean hasRoom() {
-    return connected && inFlight.hasRoom(System.nanoTime());
+    return connected && inFlight.hasRoom(now);
   }
 
   /** Stores a message, to be forwarded later; call it only on the thread of the session. */
@@ -292,7 +292,7 @@ public final class Session implements AutoCloseable {
       event.run();
       busy = true;
     }
-    long now = System.nanoTime();
+    now = System.nanoTime();
     boolean owesAnswer = link != null && !(connected && inFlight.isEmpty());
     if (owesAnswer && now - lastAnswer > longestSilence.toNanos()) {
       String silence = "the broker has not answered for " + longestSilence.toSeconds() + " s";
@@ -318,7 +318,8 @@ public final class Session implements AutoCloseable {
 
   /** Returns the next answer or update that can be published or must be stored, or null. */
   private @Nullable Runnable nextTask() {
-    boolean free = !connected || inFlight.hasRoom(System.nanoTime()) || closing;
+    now = System.nanoTime();
+    boolean free = !connected || inFlight.hasRoom(now) || closing;
     Runnable answer = free ? answers.poll() : null;
     return answer == null && (free || inbox.isLate()) ? inbox.poll() : answer;
   }
@@ -326,7 +327,7 @@ public final class Session implements AutoCloseable {
   /** Sends stored messages. They get half of the places, so that new messages do not wait. */
   private boolean forward() {
     boolean busy = false;
-    while (connected && !closing && forwarding && inFlight.isHalfEmpty(System.nanoTime())) {
+    while (connected && !closing && forwarding && inFlight.isHalfEmpty(now)) {
       StoredMessage next = store().next();
       if (next == null) {
         break;

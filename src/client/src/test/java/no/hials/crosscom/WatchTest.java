@@ -608,7 +608,8 @@ class WatchTest extends RobotTest {
 
   @Test
   void aSlowDriftIsToldOnceItLeavesTheDeadBand() throws Exception {
-    try (Watch watch = client.watch(changes(1, "MYREAL", "MYINT"), samples::add)) {
+    // MYINT is read first and set last: with its new value, that of MYREAL is new too
+    try (Watch watch = client.watch(changes(1, "MYINT", "MYREAL"), samples::add)) {
       next();
       for (int i = 1; i <= 3; i++) {
         robot.variables().set("MYREAL", String.valueOf(i * 0.5));

@@ -171,7 +171,8 @@ class RobotSourceTest {
     BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
     try (RobotSource source = new RobotSource(plan(), queue, null)) {
       source.open(() -> true);
-      Item before = next(queue);
+      Item first = next(queue);
+      Item before = first;
       answerSlowly();
       Item item = next(queue);
       while (!isLongGap(item)) {
@@ -182,6 +183,7 @@ class RobotSourceTest {
       assertThat(item.gap().reason())
           .isEqualTo(
               "the robot or this computer was too slow for the period, or the process was frozen");
+      assertThat(item.gap().from()).isAfterOrEqualTo(first.time());
       assertThat(item.gap().to()).isAfter(item.gap().from()).isBeforeOrEqualTo(next(queue).time());
     }
   }

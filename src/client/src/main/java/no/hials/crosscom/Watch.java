@@ -50,16 +50,16 @@ import org.slf4j.LoggerFactory;
 public final class Watch implements Flow.Publisher<Sample>, Iterable<Sample>, AutoCloseable {
   private static final Logger LOG = LoggerFactory.getLogger(Watch.class);
 
+  /** A reading that is further away is not waited for when there is a connection again. */
+  private static final long FAR_AWAY = Duration.ofSeconds(1).toNanos();
+
+  private static final long SOON = Duration.ofMillis(100).toNanos();
+
   private final VariableExchange exchange;
   private final ReconnectingConnection connection;
   private final C3Channel channel;
   private final WatchConfig config;
   private final ClientRuntime runtime;
-
-  /** A reading that is further away is not waited for when there is a connection again. */
-  private static final long FAR_AWAY = Duration.ofSeconds(1).toNanos();
-
-  private static final long SOON = Duration.ofMillis(100).toNanos();
 
   /** Runs the sampler, and completes the subscribers. */
   private final SerialExecutor sampling;

@@ -31,6 +31,9 @@ final class MissedReadings {
 
   private Instant connectBy = Instant.MIN;
 
+  /** The last result of {@link #stored()}; null after a change. */
+  private @Nullable Map<String, Long> stored;
+
   /** Creates an object for the periods of a robot that was never read. */
   MissedReadings(Set<Duration> periods) {
     this.periods = Set.copyOf(periods);
@@ -56,13 +59,19 @@ final class MissedReadings {
 
   /** Returns up to when the readings of each period are counted, for the next run. */
   Map<String, Long> stored() {
-    return last.entrySet().stream()
-        .collect(
-            Collectors.toUnmodifiableMap(
-                it -> STORED + it.getKey().toMillis(), it -> it.getValue().toEpochMilli()));
+    Map<String, Long> times = stored;
+    if (times == null) {
+      times =
+          last.entrySet().stream()
+              .collect(
+                  Collectors.toUnmodifiableMap(
+                      it -> STORED + it.getKey().toMillis(), it -> it.getValue().toEpochMilli()));
+      stored = times;
+    }
+    return times;
   }
 
-  /** Returns when the last reading of a period began; null if there is none. */
+  /** Returns when the last reading of a period began; null before the first one. */
   @Nullable Instant last(Duration period) {
     return last.get(period);
   }
@@ -93,16 +102,16 @@ final class MissedReadings {
    */
   long read(Duration period, Instant time, long missed, boolean failed) {
     Instant before = last.get(period);
-    if (before == null || !unread.contains(period)) {
-      unread.remove(period);
-      last.put(period, time);
-      return missed;
-    }
-    if (failed && time.isBefore(connectBy)) {
+    boolean byTime = isUnread(period);
+    if (before != null && byTime && failed && time.isBefore(connectBy)) {
       return 0; // perhaps not connected yet: the next one counts it as well
     }
     unread.remove(period);
     last.put(period, time);
+    stored = null;
+    if (before == null || !byTime) {
+      return missed;
+    }
     // a robot that is off is tried, and a reading that is due now is made
     Instant end = failed && connectBy.isAfter(before) ? connectBy : time;
     return Math.max(0, Duration.between(before, end).toMillis() - 1) / period.toMillis();

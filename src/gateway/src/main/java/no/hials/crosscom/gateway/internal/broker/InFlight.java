@@ -46,7 +46,7 @@ final class InFlight {
   void add(Outgoing message) {
     messages.add(message);
     bytes += message.bytes;
-    window.sent(bytes);
+    message.waiting = bytes;
   }
 
   /**
@@ -57,7 +57,7 @@ final class InFlight {
   void done(Outgoing message, long now) {
     message.done = true;
     bytes -= message.bytes;
-    window.confirmed(message.sentAt, now);
+    window.confirmed(message.sentAt, message.waiting, now);
   }
 
   /** Removes and returns the oldest message if it is done, or returns null. */

@@ -20,6 +20,9 @@ final class Outgoing {
   /** When the message was sent, in nanoseconds. */
   final long sentAt;
 
+  /** The bytes that waited for the broker when the message was sent, with its own. */
+  long waiting;
+
   /** Whether the broker has confirmed or refused the message. */
   boolean done;
 

@@ -12,7 +12,7 @@ final class SendWindow {
   static final int SMALLEST = 4_000;
   static final int LARGEST = 1_024_000;
 
-  /** A delay that is longer than the shortest one by less means: more can be on the way. */
+  /** The delay that is sought; it comes on top of the shortest one. */
   private static final long QUICK = TimeUnit.SECONDS.toNanos(1);
 
   /** A delay that is longer than the shortest one by more means: too much is on the way. */
@@ -30,14 +30,11 @@ final class SendWindow {
   private boolean measured;
   private long intervalStart;
 
-  /** Whether at least half of the window was in use since it was changed. */
-  private boolean used;
+  /** Whether the window was made smaller on this connection. */
+  private boolean shrunk;
 
-  /** Whether the window was changed on this connection. */
-  private boolean changed;
-
-  /** The time of the last change. */
-  private long changedAt;
+  /** When the window was last made smaller. */
+  private long shrunkAt;
 
   /** Returns the size in bytes. */
   int size() {
@@ -50,36 +47,29 @@ final class SendWindow {
     shortest = LONGEST_TRIP;
     shortestBefore = LONGEST_TRIP;
     measured = false;
-    used = false;
-    changed = false;
+    shrunk = false;
   }
 
   /**
-   * Called when a message is sent.
-   *
-   * @param bytes the bytes that now wait for the broker
-   */
-  void sent(long bytes) {
-    used |= bytes >= size / 2;
-  }
-
-  /**
-   * Called when a message is confirmed. Messages from before the last change do not count: their
-   * delay is that of another window.
+   * Called when a message is confirmed. The bytes that waited with it show how many can be on the
+   * way. Messages from before the window was made smaller do not make it smaller again.
    *
    * @param sentAt when it was sent, in nanoseconds
+   * @param waiting the bytes that then waited for the broker, with its own
    * @param now the time in nanoseconds
    */
-  void confirmed(long sentAt, long now) {
-    long delay = now - sentAt;
+  void confirmed(long sentAt, long waiting, long now) {
+    long delay = Math.max(1, now - sentAt);
     measure(delay, now);
-    if (changed && sentAt - changedAt < 0) {
-      return;
-    }
     if (delay > trips() + SLOW) {
-      resize(Math.max(SMALLEST, size / 2), now);
-    } else if (delay < trips() + QUICK && used) {
-      resize(Math.min(LARGEST, size * 2), now);
+      if (!shrunk || sentAt - shrunkAt >= 0) {
+        size = Math.max(SMALLEST, size / 2);
+        shrunk = true;
+        shrunkAt = now;
+      }
+    } else {
+      long quick = waiting * (trips() + QUICK) / delay;
+      size = (int) Math.max(size, Math.min(LARGEST, Math.min(2 * waiting, quick)));
     }
   }
 
@@ -101,12 +91,5 @@ final class SendWindow {
       measured = true;
     }
     shortest = Math.min(shortest, delay);
-  }
-
-  private void resize(int bytes, long now) {
-    size = bytes;
-    used = false;
-    changed = true;
-    changedAt = now;
   }
 }

@@ -60,12 +60,31 @@ class InFlightTest {
   @Test
   void quickConfirmationsDoubleTheWindowOncePerRoundTrip() {
     confirm(send(1, 0), 1);
-    confirm(fill(1), 999);
+    confirm(fill(1), 500);
     List<Outgoing> second = fill(1);
     confirm(second, 100);
 
     assertThat(second).hasSize(32);
     assertThat(fill(1)).hasSize(64);
+  }
+
+  @Test
+  void theWindowHasWhatTheConnectionCarriesInASecond() {
+    confirm(send(1, 0), 1);
+
+    confirm(fill(1), 800);
+
+    assertThat(fill(1)).as("16 kB in 0.8 s").hasSize(21);
+  }
+
+  @Test
+  void theFirstOfManyMessagesDoesNotShowTheSpeed() {
+    confirm(send(1, 0), 1);
+    List<Outgoing> sent = fill(1);
+    confirm(sent.subList(0, 4), 1);
+    confirm(sent.subList(4, 16), 2200);
+
+    assertThat(fill(1)).hasSize(8);
   }
 
   @Test
@@ -114,7 +133,7 @@ class InFlightTest {
     }
     confirm(fill(1), 2400);
 
-    assertThat(fill(1)).hasSize(32);
+    assertThat(fill(1)).as("16 kB in 2.4 s: 22.7 kB in 3.4 s").hasSize(23);
   }
 
   @Test
@@ -122,7 +141,7 @@ class InFlightTest {
     confirm(send(1, 0), 1200);
     confirm(fill(1), 2400);
 
-    assertThat(fill(1)).hasSize(32);
+    assertThat(fill(1)).as("16 kB in 2.4 s: 22.7 kB in 3.4 s").hasSize(23);
   }
 
   @Test

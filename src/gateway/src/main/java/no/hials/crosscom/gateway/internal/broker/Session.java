@@ -301,27 +301,27 @@ public final class Session implements AutoCloseable {
     if (link == null && !closing && attempts.isDue(now)) {
       connect();
     }
+    busy |= runTasks(answers); // before other messages take the room
     if (now - nextTick >= 0) {
       nextTick = now + TICK;
       traffic().tick();
     }
-    for (int i = 0; i < TASKS_AT_ONCE; i++) {
-      Runnable task = nextTask();
-      if (task == null) {
-        break;
-      }
-      busy = true;
-      task.run();
-    }
+    busy |= runTasks(inbox);
     return forward() || busy;
   }
 
-  /** Returns the next answer or update that can be published or must be stored, or null. */
-  private @Nullable Runnable nextTask() {
-    now = System.nanoTime();
-    boolean free = !connected || inFlight.hasRoom(now) || closing;
-    Runnable answer = free ? answers.poll() : null;
-    return answer == null && (free || inbox.isLate()) ? inbox.poll() : answer;
+  /** Runs tasks that can publish or must store, and returns whether there were any. */
+  private boolean runTasks(Inbox from) {
+    for (int i = 0; i < TASKS_AT_ONCE; i++) {
+      now = System.nanoTime();
+      boolean free = !connected || inFlight.hasRoom(now) || closing;
+      Runnable task = free || (from == inbox && inbox.isLate()) ? from.poll() : null;
+      if (task == null) {
+        return i > 0;
+      }
+      task.run();
+    }
+    return true;
   }
 
   /** Sends stored messages. They get half of the places, so that new messages do not wait. */

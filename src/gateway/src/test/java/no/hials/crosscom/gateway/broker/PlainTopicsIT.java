@@ -120,4 +120,23 @@ class PlainTopicsIT extends BrokerTest {
       awaitDeletion(observer);
     }
   }
+
+  @Test
+  void aDeletionIsKeptWhenTheOutputChangesMeanwhile() throws Exception {
+    broker = Mosquitto.open(folder);
+    String fewer = READ_ALL.replace("\"$MODE_OP\", ", "");
+    try (Cable cable = new Cable(broker.port());
+        Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      cable.connect();
+      start(READ_ALL + mqtt(cable));
+      observer.await("robots/cell1/$MODE_OP", "good");
+
+      cable.cut();
+      gateway.apply(config(fewer + mqtt(cable)));
+      gateway.apply(config(fewer + mqtt(cable, "qos = 0")));
+      cable.connect();
+
+      awaitDeletion(observer);
+    }
+  }
 }

@@ -47,9 +47,6 @@ final class PlainTraffic implements Traffic {
   /** The retained messages that wait for room, by topic; each is the last one of its topic. */
   private final Map<String, byte[]> due = new LinkedHashMap<>();
 
-  /** The topics of removed robots and variables, whose retained values must not come back. */
-  private final Set<String> deleted = new LinkedHashSet<>();
-
   /** Topics on which an older value was published after the last one. */
   private final Set<String> behind = new LinkedHashSet<>();
 
@@ -90,7 +87,6 @@ final class PlainTraffic implements Traffic {
     robots.forEach(this::publishStatus);
     behind.clear();
     current.values().forEach(due::putAll);
-    deleted.forEach(topic -> due.put(topic, NOTHING));
     publishDue();
   }
 
@@ -138,7 +134,6 @@ final class PlainTraffic implements Traffic {
   /** Adds a robot. */
   void added(RobotFeed robot) {
     robots.put(robot, robot.isConnected());
-    deleted.remove(topics.robot(robot.name()));
     publishStatus(robot, robot.isConnected());
   }
 
@@ -149,7 +144,6 @@ final class PlainTraffic implements Traffic {
       String topic = topics.variable(robot.name(), update.variable().key());
       byte[] payload = json.of(update);
       messages.put(topic, payload);
-      deleted.remove(topic);
       boolean live =
           session.publish(
               new Publication(topic, payload, qos, true), () -> new StoredMessage(topic, payload));
@@ -186,10 +180,12 @@ final class PlainTraffic implements Traffic {
     }
   }
 
-  /** Deletes a retained value now, and again with each connection: the broker may not get it. */
+  /** Deletes a retained value. The deletion is stored until the broker has it. */
   private void delete(String topic) {
-    deleted.add(topic);
-    retain(topic, NOTHING);
+    due.remove(topic);
+    boolean unused =
+        session.publish(
+            new Publication(topic, NOTHING, qos, true), () -> new StoredMessage(topic, NOTHING));
   }
 
   @Override
@@ -198,10 +194,21 @@ final class PlainTraffic implements Traffic {
     if (!due.isEmpty()) {
       return false; // current values first
     }
+    boolean deletes = !message.payload().hasRemaining();
+    if (deletes && isUsed(message.topic())) {
+      session.skipStored(message);
+      return true;
+    }
     behind.add(message.topic());
     session.publishStored(
-        new Publication(message.topic(), message.payload(), qos, false, null), message);
+        new Publication(message.topic(), message.payload(), qos, deletes, null), message);
     return true;
+  }
+
+  /** Returns whether the topic is that of a robot, or of a variable that was read. */
+  private boolean isUsed(String topic) {
+    return robots.keySet().stream().anyMatch(robot -> topics.robot(robot.name()).equals(topic))
+        || current.values().stream().anyMatch(messages -> messages.containsKey(topic));
   }
 
   @Override

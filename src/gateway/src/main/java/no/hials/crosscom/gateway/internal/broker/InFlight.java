@@ -12,25 +12,45 @@ final class InFlight {
   /** The maximum number of messages. */
   private static final int MOST = 1000;
 
+  /** The maximum number of questions on their way. The MQTT client delays more than ten. */
+  private static final int QUESTIONS = 8;
+
   private final Deque<Outgoing> messages = new ArrayDeque<>();
   private final SendWindow window = new SendWindow();
 
   /** The bytes of the messages that are not done. */
   private long bytes;
 
+  /** The bytes of the answers among them. */
+  private long answerBytes;
+
+  /** Whether nothing is sent until all messages are done, since one was late. */
+  private boolean draining;
+
   boolean isEmpty() {
     return messages.isEmpty();
   }
 
   /**
-   * Returns whether another message can be sent.
+   * Returns whether another message can be sent. If the oldest message is late, none can until all
+   * are done: the next one then shows how long the connection itself takes.
    *
    * @param now the time in nanoseconds
    */
   boolean hasRoom(long now) {
     Outgoing oldest = messages.peek();
-    boolean waits = oldest != null && !oldest.done && window.isLate(oldest.sentAt, now);
-    return !waits && messages.size() < MOST && bytes < window.size();
+    draining |= oldest != null && !oldest.done && window.isLate(oldest, now);
+    return !draining && messages.size() < MOST && bytes < window.size();
+  }
+
+  /**
+   * Returns whether another answer to a command can be sent. Answers get half of the room, so that
+   * a flood of commands does not stop the values.
+   *
+   * @param now the time in nanoseconds
+   */
+  boolean hasRoomForAnswer(long now) {
+    return hasRoom(now) && answerBytes < window.size() / 2;
   }
 
   /**
@@ -42,10 +62,16 @@ final class InFlight {
     return hasRoom(now) && messages.size() < MOST / 2 && bytes < window.size() / 2;
   }
 
+  /** Returns after how many bytes the broker is asked whether it has handled them. */
+  int bytesPerQuestion() {
+    return window.size() / QUESTIONS;
+  }
+
   /** Adds a message that is sent now. */
   void add(Outgoing message) {
     messages.add(message);
     bytes += message.bytes;
+    answerBytes += message.isAnswer ? message.bytes : 0;
     message.waiting = bytes;
   }
 
@@ -57,19 +83,24 @@ final class InFlight {
   void done(Outgoing message, long now) {
     message.done = true;
     bytes -= message.bytes;
-    window.confirmed(message.sentAt, message.waiting, now);
+    answerBytes -= message.isAnswer ? message.bytes : 0;
+    window.confirmed(message, now);
   }
 
   /** Removes and returns the oldest message if it is done, or returns null. */
   @Nullable Outgoing pollDone() {
     Outgoing first = messages.peek();
-    return first != null && first.done ? messages.poll() : null;
+    Outgoing done = first != null && first.done ? messages.poll() : null;
+    draining &= !messages.isEmpty();
+    return done;
   }
 
   /** Removes and returns the oldest message of a lost connection, or returns null at the end. */
   @Nullable Outgoing pollLost() {
     window.reset();
+    draining = false;
     bytes = 0;
+    answerBytes = 0;
     return messages.poll();
   }
 }

@@ -69,18 +69,21 @@ interface Link {
    * Returns a future that completes when the broker has handled what was sent before.
    *
    * @param size the size of the message that was sent
+   * @param most the number of bytes after which the broker is asked, also if it has not answered
    */
-  CompletableFuture<?> roundTrip(int size);
+  CompletableFuture<?> roundTrip(int size, int most);
 
   /**
    * Publishes a message. The future completes when the broker has the message, also if the quality
    * of service does not confirm it.
+   *
+   * @param most the number of bytes after which the broker is asked, also if it has not answered
    */
-  default CompletableFuture<?> publishConfirmed(Publication message) {
+  default CompletableFuture<?> publishConfirmed(Publication message, int most) {
     CompletableFuture<?> sent = publish(message);
     return message.qos() > 0
         ? sent
-        : sent.thenCompose(unused -> roundTrip(message.payload().remaining()));
+        : sent.thenCompose(unused -> roundTrip(message.payload().remaining(), most));
   }
 
   /** Disconnects, so that the broker does not publish the will. */

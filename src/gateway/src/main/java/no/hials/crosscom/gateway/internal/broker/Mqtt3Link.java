@@ -91,8 +91,8 @@ final class Mqtt3Link implements Link {
   }
 
   @Override
-  public CompletableFuture<?> roundTrip(int size) {
-    return roundTrips.next(size);
+  public CompletableFuture<?> roundTrip(int size, int most) {
+    return roundTrips.next(size, most);
   }
 
   @Override

@@ -106,8 +106,8 @@ final class Mqtt5Link implements Link {
   }
 
   @Override
-  public CompletableFuture<?> roundTrip(int size) {
-    return roundTrips.next(size);
+  public CompletableFuture<?> roundTrip(int size, int most) {
+    return roundTrips.next(size, most);
   }
 
   private CompletableFuture<?> ask() {

@@ -20,6 +20,9 @@ final class Outgoing {
   /** When the message was sent, in nanoseconds. */
   final long sentAt;
 
+  /** Whether it is the answer to a command. */
+  boolean isAnswer;
+
   /** The bytes that waited for the broker when the message was sent, with its own. */
   long waiting;
 
@@ -49,5 +52,10 @@ final class Outgoing {
     this.bytes = 0;
     this.sentAt = 0;
     this.done = true;
+  }
+
+  /** Returns whether it was sent while no other message waited for the broker. */
+  boolean isAlone() {
+    return waiting == bytes;
   }
 }

@@ -6,13 +6,10 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Asks a broker whether it has handled what was sent before. The messages sent since a question
- * share the next one, which is asked when the others are answered, or after some kilobytes, so that
- * a slow connection has answers all the time. Thread-safe.
+ * share the next one, which is asked when the others are answered, or after some bytes, so that a
+ * slow connection has answers all the time. Thread-safe.
  */
 final class RoundTrips {
-  /** A question is asked after as many bytes, also if others are not answered. */
-  private static final int BYTES = 8_000;
-
   private final Supplier<CompletableFuture<?>> question;
 
   /**
@@ -36,12 +33,14 @@ final class RoundTrips {
    * Returns a future that completes when the broker has handled what was sent before the call.
    *
    * @param size the size of the message that was sent
+   * @param most the number of bytes after which a question is asked, also if others are not
+   *     answered
    */
-  synchronized CompletableFuture<@Nullable Void> next(int size) {
+  synchronized CompletableFuture<@Nullable Void> next(int size, int most) {
     CompletableFuture<@Nullable Void> result = next == null ? new CompletableFuture<>() : next;
     next = result;
     bytes += size;
-    if (running == 0 || bytes >= BYTES) {
+    if (running == 0 || bytes >= most) {
       ask(result);
     }
     return result;

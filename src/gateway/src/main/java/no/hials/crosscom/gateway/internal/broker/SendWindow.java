@@ -4,37 +4,37 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * The number of bytes that may wait for the broker at a time, adapted to the speed of a connection.
- * Keep-alives wait behind these bytes, so a slow connection with too many of them looks lost. Not
- * thread-safe.
+ * What is on its way cannot be called back, and keep-alives wait behind it: so it is as little as
+ * keeps the connection busy. Not thread-safe.
  */
 final class SendWindow {
   static final int FIRST = 16_000;
   static final int SMALLEST = 4_000;
   static final int LARGEST = 1_024_000;
 
-  /** The delay that is sought; it comes on top of the shortest one. */
-  private static final long QUICK = TimeUnit.SECONDS.toNanos(1);
+  /** The delay of a message that is sought, on top of two round trips. */
+  private static final long SPARE = TimeUnit.MILLISECONDS.toNanos(50);
 
-  /** A delay that is longer than the shortest one by more means: too much is on the way. */
-  private static final long SLOW = TimeUnit.SECONDS.toNanos(2);
+  /** A delay that is longer than two round trips by more means: the connection has become slow. */
+  private static final long LATE = TimeUnit.SECONDS.toNanos(1);
 
-  /** The maximum round trip; a longer delay comes from what is on the way. */
-  private static final long LONGEST_TRIP = TimeUnit.MILLISECONDS.toNanos(1200);
+  /** A longer delay of a message that was sent alone comes from its size. */
+  private static final long LONGEST_TRIP = TimeUnit.MILLISECONDS.toNanos(1500);
 
-  /** The shortest delay is that of the last one to two intervals, since a route can change. */
-  private static final long INTERVAL = TimeUnit.SECONDS.toNanos(10);
+  private int size;
 
-  private int size = FIRST;
-  private long shortest = LONGEST_TRIP;
-  private long shortestBefore = LONGEST_TRIP;
-  private boolean measured;
-  private long intervalStart;
+  /** The shortest delay since a message was sent alone. */
+  private long trip;
 
   /** Whether the window was made smaller on this connection. */
   private boolean shrunk;
 
   /** When the window was last made smaller. */
   private long shrunkAt;
+
+  SendWindow() {
+    reset();
+  }
 
   /** Returns the size in bytes. */
   int size() {
@@ -44,52 +44,35 @@ final class SendWindow {
   /** Begins again, for another connection. */
   void reset() {
     size = FIRST;
-    shortest = LONGEST_TRIP;
-    shortestBefore = LONGEST_TRIP;
-    measured = false;
+    trip = LONGEST_TRIP;
     shrunk = false;
   }
 
   /**
-   * Called when a message is confirmed. The bytes that waited with it show how many can be on the
-   * way. Messages from before the window was made smaller do not make it smaller again.
+   * Called when a message is confirmed. Its delay and the bytes that waited with it show the speed
+   * of the connection. Messages from before the window was made smaller do not make it smaller
+   * again.
    *
-   * @param sentAt when it was sent, in nanoseconds
-   * @param waiting the bytes that then waited for the broker, with its own
    * @param now the time in nanoseconds
    */
-  void confirmed(long sentAt, long waiting, long now) {
-    long delay = Math.max(1, now - sentAt);
-    measure(delay, now);
-    if (delay > trips() + SLOW) {
-      if (!shrunk || sentAt - shrunkAt >= 0) {
-        size = Math.max(SMALLEST, size / 2);
-        shrunk = true;
-        shrunkAt = now;
-      }
-    } else {
-      long quick = waiting * (trips() + QUICK) / delay;
-      size = (int) Math.max(size, Math.min(LARGEST, Math.min(2 * waiting, quick)));
+  void confirmed(Outgoing message, long now) {
+    long delay = Math.max(1, now - message.sentAt);
+    trip = Math.min(message.isAlone() ? LONGEST_TRIP : trip, delay);
+    long fitting = Math.min(LARGEST, message.waiting * (2 * trip + SPARE) / delay);
+    if (!isLate(message, now)) {
+      size = (int) Math.max(size, Math.min(2 * message.waiting, fitting));
+    } else if (!shrunk || message.sentAt - shrunkAt >= 0) {
+      size = (int) Math.max(SMALLEST, Math.min(size, fitting));
+      shrunk = true;
+      shrunkAt = now;
     }
   }
 
-  /** Returns whether a message has waited for longer than it does while more can be sent. */
-  boolean isLate(long sentAt, long now) {
-    return now - sentAt > trips() + QUICK;
-  }
-
-  /** Returns two round trips: a message can wait for another question before its own. */
-  private long trips() {
-    return 2 * Math.min(shortest, shortestBefore);
-  }
-
-  private void measure(long delay, long now) {
-    if (!measured || now - intervalStart > INTERVAL) {
-      shortestBefore = shortest;
-      shortest = LONGEST_TRIP;
-      intervalStart = now;
-      measured = true;
-    }
-    shortest = Math.min(shortest, delay);
+  /**
+   * Returns whether a message has waited for much longer than two round trips: one for the question
+   * of a message before it, one for its own.
+   */
+  boolean isLate(Outgoing message, long now) {
+    return now - message.sentAt > 2 * trip + LATE;
   }
 }

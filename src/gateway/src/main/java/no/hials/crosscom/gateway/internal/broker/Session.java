@@ -108,12 +108,22 @@ public final class Session implements AutoCloseable {
   }
 
   /**
-   * Runs a task that publishes one message on the thread of the session, as soon as there is room
-   * for it and before any update. If too many wait, the oldest are lost and counted.
+   * Publishes the answer to a command, as soon as there is room for it. If too many wait, the
+   * oldest are lost and counted.
    */
-  public void submitAnswer(Runnable task) {
-    figures.dropped("queue", answers.add(1, task));
+  public void submitAnswer(Publication message) {
+    figures.dropped("queue", answers.add(1, () -> publishAnswer(message)));
     LockSupport.unpark(thread);
+  }
+
+  private void publishAnswer(Publication message) {
+    if (hasRoom()) {
+      Outgoing answer = new Outgoing(message, null, null, System.nanoTime());
+      answer.isAnswer = true;
+      send(message, answer);
+    } else if (connected) {
+      figures.dropped("queue", 1);
+    }
   }
 
   /** Runs a task on the thread of the session soon, whether there is room or not. */
@@ -135,7 +145,7 @@ public final class Session implements AutoCloseable {
    */
   public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
     if (hasRoom() || (connected && spare == null)) {
-      send(message, spare, null);
+      send(message, new Outgoing(message, spare, null, System.nanoTime()));
       return true;
     }
     if (spare != null) {
@@ -163,18 +173,13 @@ public final class Session implements AutoCloseable {
 
   /** Publishes a stored message; for {@link Traffic#forward}. */
   public void publishStored(Publication message, StoredMessage stored) {
-    send(message, null, stored);
+    send(message, new Outgoing(message, null, stored, System.nanoTime()));
   }
 
   /** Counts stored messages or values that can no longer be published. */
   public void lost(String reason, int number) {
     figures.dropped(reason, number);
     droppedStored += number;
-  }
-
-  /** Counts a new message that is not published. */
-  public void dropped(String reason) {
-    figures.dropped(reason, 1);
   }
 
   /** Removes a stored message that is not published. */
@@ -192,11 +197,7 @@ public final class Session implements AutoCloseable {
     return opened;
   }
 
-  private void send(
-      Publication message,
-      @Nullable Supplier<StoredMessage> spare,
-      @Nullable StoredMessage stored) {
-    Outgoing one = new Outgoing(message, spare, stored, System.nanoTime());
+  private void send(Publication message, Outgoing one) {
     if (inFlight.isEmpty()) {
       lastAnswer = one.sentAt;
     }
@@ -206,7 +207,7 @@ public final class Session implements AutoCloseable {
       return;
     }
     CompletableFuture<?> unused =
-        over.publishConfirmed(message)
+        over.publishConfirmed(message, inFlight.bytesPerQuestion())
             .whenComplete((result, failure) -> run(() -> sent(over, message, one, failure)));
   }
 
@@ -314,7 +315,8 @@ public final class Session implements AutoCloseable {
   private boolean runTasks(Inbox from) {
     for (int i = 0; i < TASKS_AT_ONCE; i++) {
       now = System.nanoTime();
-      boolean free = !connected || inFlight.hasRoom(now) || closing;
+      boolean hasRoom = from == answers ? inFlight.hasRoomForAnswer(now) : inFlight.hasRoom(now);
+      boolean free = !connected || hasRoom || closing;
       Runnable task = free || (from == inbox && inbox.isLate()) ? from.poll() : null;
       if (task == null) {
         return i > 0;
@@ -378,17 +380,7 @@ public final class Session implements AutoCloseable {
               .thenCompose(
                   ack ->
                       next.subscribe(traffic().subscriptions(), () -> next == link, this::refused))
-              .whenComplete(
-                  (result, failure) ->
-                      run(
-                          () -> {
-                            Throwable cause = Link.cause(failure);
-                            if (cause == null) {
-                              connected(next);
-                            } else {
-                              lost(next, cause);
-                            }
-                          }));
+              .whenComplete((result, failure) -> run(() -> attempted(next, Link.cause(failure))));
     } catch (IOException | RuntimeException e) {
       link = null;
       failed(String.valueOf(e.getMessage()));
@@ -399,6 +391,14 @@ public final class Session implements AutoCloseable {
     if (!closing) {
       String reason = failure.getMessage();
       LOG.error("MQTT {}: the broker refuses to subscribe {}: {}", name, filter, reason);
+    }
+  }
+
+  private void attempted(Link over, @Nullable Throwable failure) {
+    if (failure == null) {
+      connected(over);
+    } else {
+      lost(over, failure);
     }
   }
 

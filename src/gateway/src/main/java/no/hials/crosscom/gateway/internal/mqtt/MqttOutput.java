@@ -10,7 +10,6 @@ import no.hials.crosscom.gateway.Output;
 import no.hials.crosscom.gateway.internal.broker.BrokerSettings;
 import no.hials.crosscom.gateway.internal.broker.CommandQueue;
 import no.hials.crosscom.gateway.internal.broker.FolderLock;
-import no.hials.crosscom.gateway.internal.broker.Publication;
 import no.hials.crosscom.gateway.internal.broker.Session;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugId;
 import no.hials.crosscom.gateway.internal.sparkplug.SparkplugTraffic;
@@ -83,19 +82,8 @@ final class MqttOutput implements Output {
     if (executor == null) {
       return new PlainTraffic(settings, session, context, null);
     }
-    TopicCommands topicCommands =
-        new TopicCommands(
-            settings, executor, message -> session.submitAnswer(() -> answer(message)));
+    TopicCommands topicCommands = new TopicCommands(settings, executor, session::submitAnswer);
     return new PlainTraffic(settings, session, context, topicCommands::receive);
-  }
-
-  /** Publishes the answer to a command, unless too many messages wait for the broker. */
-  private void answer(Publication message) {
-    if (session.hasRoom()) {
-      boolean unused = session.publish(message, null);
-    } else if (session.isConnected()) {
-      session.dropped("queue");
-    }
   }
 
   @Override

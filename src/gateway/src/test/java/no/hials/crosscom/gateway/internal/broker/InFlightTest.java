@@ -40,6 +40,18 @@ class InFlightTest {
     }
   }
 
+  /** Confirms messages as a connection does that carries some kilobytes a second. */
+  private void carry(List<Outgoing> messages, int tripMillis, int kilobytesPerSecond) {
+    now += TimeUnit.MILLISECONDS.toNanos(tripMillis);
+    for (Outgoing one : messages) {
+      now += TimeUnit.MILLISECONDS.toNanos(one.bytes / kilobytesPerSecond);
+      inFlight.done(one, now);
+    }
+    while (inFlight.pollDone() != null) {
+      // the next one
+    }
+  }
+
   private void loseConnection() {
     while (inFlight.pollLost() != null) {
       // the next one
@@ -69,12 +81,12 @@ class InFlightTest {
   }
 
   @Test
-  void theWindowHasWhatTheConnectionCarriesInASecond() {
-    confirm(send(1, 0), 1);
+  void theWindowHasWhatTheConnectionCarriesInTwoRoundTrips() {
+    for (int i = 0; i < 10; i++) {
+      carry(fill(1), 100, 100);
+    }
 
-    confirm(fill(1), 800);
-
-    assertThat(fill(1)).as("16 kB in 0.8 s").hasSize(21);
+    assertThat(fill(1)).as("100 kB/s, 0.11 s for a message alone").hasSize(17);
   }
 
   @Test
@@ -84,7 +96,7 @@ class InFlightTest {
     confirm(sent.subList(0, 4), 1);
     confirm(sent.subList(4, 16), 2200);
 
-    assertThat(fill(1)).hasSize(8);
+    assertThat(fill(1)).hasSize(4);
   }
 
   @Test
@@ -97,20 +109,28 @@ class InFlightTest {
   }
 
   @Test
-  void confirmationsWithinOneAndTwoSecondsKeepTheWindow() {
-    confirm(send(1, 0), 1);
-    confirm(fill(1), 1100);
-    confirm(fill(1), 1900);
+  void aSpeedThatIsEnoughKeepsTheWindow() {
+    carry(fill(1), 0, 50);
+    carry(fill(1), 0, 25);
 
     assertThat(fill(1)).hasSize(16);
   }
 
-  @Test
-  void aSlowConfirmationHalvesTheWindow() {
-    confirm(send(1, 0), 1);
-    confirm(fill(1), 2100);
+  /** Fills the large window of a fast connection. */
+  private List<Outgoing> fillLarge() {
+    for (int i = 0; i < 3; i++) {
+      confirm(fill(1), 1);
+    }
+    List<Outgoing> large = fill(1);
+    assertThat(large).hasSize(128);
+    return large;
+  }
 
-    assertThat(fill(1)).hasSize(8);
+  @Test
+  void aConnectionThatBecomesSlowHasAWindowForItsSpeedAtOnce() {
+    carry(fillLarge(), 1, 100);
+
+    assertThat(fill(1)).as("100 kB/s, 0.011 s for a message alone: 7.2 kB").hasSize(8);
   }
 
   @Test
@@ -126,33 +146,64 @@ class InFlightTest {
   }
 
   @Test
+  void afterALateMessageNothingIsSentUntilAllAreConfirmed() {
+    confirm(send(1, 0), 1);
+    List<Outgoing> waiting = List.of(send(1, PAYLOAD), send(1, PAYLOAD));
+    now += TimeUnit.MILLISECONDS.toNanos(1100);
+    assertThat(inFlight.hasRoom(now)).isFalse();
+
+    confirm(waiting.get(0), 0);
+    assertThat(inFlight.hasRoom(now)).isFalse();
+    confirm(waiting.get(1), 0);
+
+    assertThat(inFlight.hasRoom(now)).isTrue();
+  }
+
+  @Test
   void aRoundTripThatHasBecomeLongerIsNotASlowConnection() {
     confirm(send(1, 0), 1);
-    for (int i = 0; i < 20; i++) {
-      confirm(send(1, 0), 1200);
-    }
-    confirm(fill(1), 2400);
+    List<Outgoing> sent = fill(1);
+    confirm(sent.subList(0, 8), 1);
+    List<Outgoing> more = fill(1);
+    confirm(sent.subList(8, 16), 1);
+    confirm(more, 2000);
+    assertThat(inFlight.hasRoom(now)).isTrue();
 
-    assertThat(fill(1)).as("16 kB in 2.4 s: 22.7 kB in 3.4 s").hasSize(23);
+    for (int i = 0; i < 6; i++) {
+      confirm(fill(1), 2000);
+    }
+
+    assertThat(fill(1)).hasSizeGreaterThan(32);
   }
 
   @Test
   void aLongRoundTripIsNotASlowConnection() {
-    confirm(send(1, 0), 1200);
-    confirm(fill(1), 2400);
+    confirm(fill(1), 1200);
 
-    assertThat(fill(1)).as("16 kB in 2.4 s: 22.7 kB in 3.4 s").hasSize(23);
+    assertThat(fill(1)).hasSize(32);
   }
 
   @Test
   void aMessageFromBeforeAChangeDoesNotCount() {
-    confirm(send(1, 0), 1);
-    List<Outgoing> sent = fill(1);
-    confirm(sent.get(0), 2100);
-    confirm(sent.get(1), 2000);
+    List<Outgoing> sent = fillLarge();
+    carry(sent.subList(0, 104), 1, 100);
 
-    confirm(sent.subList(2, 16), 0);
+    confirm(sent.subList(104, 128), 10_000);
 
+    assertThat(fill(1)).hasSize(8);
+  }
+
+  @Test
+  void answersGetHalfOfTheRoom() {
+    int answers = 0;
+    for (; inFlight.hasRoomForAnswer(now); answers++) {
+      Outgoing answer =
+          new Outgoing(new Publication("topic", new byte[PAYLOAD], 1, false), null, null, now);
+      answer.isAnswer = true;
+      inFlight.add(answer);
+    }
+
+    assertThat(answers).isEqualTo(8);
     assertThat(fill(1)).hasSize(8);
   }
 
@@ -169,7 +220,7 @@ class InFlightTest {
     assertThat(inFlight.isHalfEmpty(now)).isFalse();
     confirm(large, 6000);
     assertThat(inFlight.isHalfEmpty(now)).isTrue();
-    assertThat(fill(0)).hasSize(4);
+    assertThat(fill(0)).as("8 kB/s").hasSize(16);
   }
 
   @Test

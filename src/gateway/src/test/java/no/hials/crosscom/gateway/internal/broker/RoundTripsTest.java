@@ -19,9 +19,9 @@ class RoundTripsTest {
 
   @Test
   void whatIsSentDuringAQuestionSharesTheNextOne() {
-    CompletableFuture<?> first = trips.next(1);
-    CompletableFuture<?> second = trips.next(1);
-    CompletableFuture<?> third = trips.next(1);
+    CompletableFuture<?> first = trips.next(1, 8_000);
+    CompletableFuture<?> second = trips.next(1, 8_000);
+    CompletableFuture<?> third = trips.next(1, 8_000);
     assertThat(questions).hasSize(1);
 
     questions.get(0).complete(null);
@@ -34,16 +34,16 @@ class RoundTripsTest {
 
     assertThat(second).isCompleted();
     assertThat(third).isCompleted();
-    assertThat(trips.next(1)).isNotDone();
+    assertThat(trips.next(1, 8_000)).isNotDone();
     assertThat(questions).hasSize(3);
   }
 
   @Test
   void manyBytesHaveAQuestionOfTheirOwn() {
-    CompletableFuture<?> first = trips.next(1);
-    CompletableFuture<?> second = trips.next(7_999);
+    CompletableFuture<?> first = trips.next(1, 8_000);
+    CompletableFuture<?> second = trips.next(7_999, 8_000);
     assertThat(questions).hasSize(1);
-    CompletableFuture<?> third = trips.next(1);
+    CompletableFuture<?> third = trips.next(1, 8_000);
     assertThat(questions).hasSize(2);
 
     questions.get(0).complete(null);
@@ -59,8 +59,8 @@ class RoundTripsTest {
 
   @Test
   void aQuestionThatFailsIsNoAnswer() {
-    CompletableFuture<?> first = trips.next(1);
-    CompletableFuture<?> second = trips.next(1);
+    CompletableFuture<?> first = trips.next(1, 8_000);
+    CompletableFuture<?> second = trips.next(1, 8_000);
 
     questions.get(0).completeExceptionally(new IllegalStateException("lost"));
 

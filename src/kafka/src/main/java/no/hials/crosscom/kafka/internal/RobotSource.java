@@ -95,14 +95,17 @@ public final class RobotSource implements Closeable {
     private long missed;
     private long lost;
 
+    /** Whether the robot has been read since, so that the gap cannot become longer. */
+    private boolean ended;
+
     OpenGap(Instant from, String reason) {
       this.from = from;
       this.reason = reason;
     }
 
-    /** Returns whether readings or samples are known to be missing. */
-    boolean hasNumber() {
-      return missed > 0 || lost > 0;
+    /** Returns whether the gap can be reported, also if no sample follows. */
+    boolean isComplete() {
+      return missed > 0 || lost > 0 || ended;
     }
   }
 
@@ -154,13 +157,14 @@ public final class RobotSource implements Closeable {
    * Returns the source offset up to the last reading, if it has told nothing new: values that stay
    * the same, or attempts to read a robot that is off.
    *
-   * @return null if there was no record yet, or one waits
+   * @return null if there was no record yet, one waits, or the last offset says the same
    */
   public synchronized @Nullable Map<String, Object> quietOffset() {
-    if (sequence == 0 || waiting > 0 || gap != null) {
+    Map<String, Long> current = readings.stored();
+    if (sequence == 0 || waiting > 0 || gap != null || current.equals(stored)) {
       return null;
     }
-    stored = readings.stored();
+    stored = current;
     return offset();
   }
 
@@ -255,12 +259,15 @@ public final class RobotSource implements Closeable {
     boolean byTime = readings.isUnread(period);
     long leftOut = readings.read(period, time, missedBefore, failed);
     lastRead = later(lastRead, time);
-    if (leftOut > 0 && byTime) {
+    if (leftOut > 0 && byTime && gap != null) {
       openGap(lastTime, unreadReason).missed += leftOut;
     } else if (leftOut > 0) {
-      // the clock may have been set back
+      // the gap since the last reading of this period; the clock may have been set back
       Instant from = before != null && before.isBefore(time) ? before : time;
-      openGap(from, TOO_SLOW).missed += leftOut;
+      openGap(from, byTime ? unreadReason : TOO_SLOW).missed += leftOut;
+    }
+    if (gap != null && !readings.isUnread(period)) {
+      gap.ended = true;
     }
   }
 
@@ -343,8 +350,7 @@ public final class RobotSource implements Closeable {
     own.checkAges();
     synchronized (this) {
       addDropped(own.droppedSamples());
-      // a gap without a number ends with the next reading
-      if (gap != null && gap.hasNumber()) {
+      if (gap != null && gap.isComplete()) {
         boolean unused = closeGap();
       }
     }

@@ -162,6 +162,57 @@ class RobotSourceTest {
     }
   }
 
+  @Test
+  void aGapThatNoSampleEndsIsReportedAndOffsetsGoOn() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    try (RobotSource source = new RobotSource(plan("on-change = true"), queue, null)) {
+      source.open(() -> true);
+      var unused = source.take(next(queue), records);
+      source.resumed("held again");
+      Item item = queue.poll();
+      while (item == null) {
+        source.check();
+        item = queue.poll(10, TimeUnit.MILLISECONDS);
+      }
+      assertThat(item.gap().reason()).isEqualTo("held again");
+      unused = source.take(item, records);
+
+      Map<String, Object> offset = source.quietOffset();
+      while (offset == null) {
+        offset = source.quietOffset();
+      }
+      assertThat((long) offset.get("read.10")).isGreaterThan(item.gap().to().toEpochMilli());
+    }
+  }
+
+  @Test
+  void eachPeriodHasAGapFromItsOwnLastReading() throws Exception {
+    BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
+    AtomicBoolean held = new AtomicBoolean(true);
+    String slowGroup = "[groups.other]\nvariables = [\"$MODE_OP\"]\nperiod = \"200ms\"";
+    try (RobotSource source = new RobotSource(plan(slowGroup), queue, null)) {
+      source.open(held::get);
+      next(queue);
+      held.set(false);
+      TimeUnit.MILLISECONDS.sleep(1000);
+      source.resumed("held again");
+      held.set(true);
+
+      long missed = 0;
+      Duration shortest = Duration.ofDays(1);
+      // about 100 readings of one period and 5 of the other
+      for (Item item = next(queue); missed < 102; item = next(queue)) {
+        Gap gap = item.gap();
+        if (gap != null && gap.missed() >= 3) {
+          missed += gap.missed();
+          Duration length = Duration.between(gap.from(), gap.to());
+          shortest = length.compareTo(shortest) < 0 ? length : shortest;
+        }
+      }
+      assertThat(shortest).isGreaterThan(Duration.ofMillis(700));
+    }
+  }
+
   private static boolean isGood(Item item) {
     return item.update() != null && item.update().quality() == Quality.GOOD;
   }

@@ -41,6 +41,9 @@ public final class RobotSourceTask extends SourceTask {
   /** The number of records per lease that renew it. */
   private static final int BEATS = 4;
 
+  /** The offset of a robot without other records is stored as often. */
+  private static final Duration QUIET = Duration.ofSeconds(5);
+
   private static final int MAX_BATCH = 2000;
   private static final long POLL_MILLIS = 100;
   private static final long CHECK_NANOS = 250_000_000;
@@ -68,7 +71,10 @@ public final class RobotSourceTask extends SourceTask {
   private String lost = "";
 
   private long lastBeat;
-  private long beats;
+
+  /** The number of robots whose offset was asked for. */
+  private long turns;
+
   private long lastCheck;
   private long records;
 
@@ -168,7 +174,7 @@ public final class RobotSourceTask extends SourceTask {
     List<SourceRecord> batch = new ArrayList<>();
     if (moment.nanos() - lastBeat >= beatNanos(own)) {
       lastBeat = moment.nanos();
-      batch.add(beat(own, moment));
+      beat(own, moment, batch);
     }
     Item item = next(waiting, batch.isEmpty());
     while (item != null) {
@@ -279,29 +285,50 @@ public final class RobotSourceTask extends SourceTask {
         moment);
   }
 
-  private SourceRecord beat(ConnectorSettings own, Moment moment) {
-    Instant time = Instant.ofEpochMilli(moment.millis());
+  private void beat(ConnectorSettings own, Moment moment, List<SourceRecord> batch) {
     Struct value =
         new Struct(SampleRecords.LEASE_SCHEMA)
             .put("connector", own.connector())
             .put("task", own.taskNumber())
-            .put("time", Date.from(time))
+            .put("time", Date.from(Instant.ofEpochMilli(moment.millis())))
             .put("held", allowed)
             .put("robots", robots.size())
             .put("connected", (int) robots.stream().filter(RobotSource::isConnected).count())
             .put("records", records)
             .put("missed", robots.stream().mapToLong(RobotSource::missed).sum())
             .put("lost", robots.stream().mapToLong(RobotSource::lost).sum());
-    // moves the offset of one robot on, unless another task may have the robot now
-    RobotSource robot = robots.isEmpty() ? null : robots.get((int) (beats++ % robots.size()));
-    Map<String, Object> offset = robot == null || !mayUse() ? null : robot.quietOffset();
+    Map<String, ?> task = Map.of("task", own.taskNumber());
+    batch.add(beat(own, moment, value, task, Map.of("time", moment.millis())));
+    long end = turns + turnsPerBeat(own);
+    // another task may have the robots now if the lease is not held
+    for (; turns < end && mayUse(); turns++) {
+      RobotSource robot = robots.get((int) (turns % robots.size()));
+      Map<String, Object> offset = robot.quietOffset();
+      if (offset != null) {
+        batch.add(beat(own, moment, value, robot.partition(), offset));
+      }
+    }
+  }
+
+  /** Returns for how many robots an offset may be stored with each beat, rounded up. */
+  private long turnsPerBeat(ConnectorSettings own) {
+    long due = robots.size() * beatNanos(own) / QUIET.toNanos() + 1;
+    return Math.min(robots.size(), due);
+  }
+
+  private static SourceRecord beat(
+      ConnectorSettings own,
+      Moment moment,
+      Struct value,
+      Map<String, ?> partition,
+      Map<String, ?> offset) {
     return new Given(
-        robot == null || offset == null ? Map.of("task", own.taskNumber()) : robot.partition(),
-        offset == null ? Map.of("time", moment.millis()) : offset,
+        partition,
+        offset,
         own.getString(ConnectorSettings.LEASE_TOPIC),
         own.connector() + "-" + own.taskNumber(),
         value,
-        time,
+        Instant.ofEpochMilli(moment.millis()),
         moment);
   }
 

@@ -4,7 +4,7 @@ import java.util.concurrent.TimeUnit;
 
 /**
  * The number of bytes that may wait for the broker at a time, adapted to the speed of a connection.
- * What is on its way cannot be called back, and keep-alives wait behind it: so it is as little as
+ * What is on its way cannot be called back, and keep-alives wait for it: so it is as little as
  * keeps the connection busy. Not thread-safe.
  */
 final class SendWindow {

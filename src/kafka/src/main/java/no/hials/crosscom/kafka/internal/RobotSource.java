@@ -61,7 +61,7 @@ public final class RobotSource implements Closeable {
   private Instant lastRead;
 
   /** Why readings are counted by the time. */
-  private String unreadReason = "";
+  private String unreadReason = TOO_SLOW;
 
   private @Nullable OpenGap gap;
   private long lost;

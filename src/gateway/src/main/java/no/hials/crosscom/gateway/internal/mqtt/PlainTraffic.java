@@ -47,6 +47,9 @@ final class PlainTraffic implements Traffic {
   /** The retained messages that wait for room, by topic; each is the last one of its topic. */
   private final Map<String, byte[]> due = new LinkedHashMap<>();
 
+  /** The topics of removed robots and variables, whose retained values must not come back. */
+  private final Set<String> deleted = new LinkedHashSet<>();
+
   /** Topics on which an older value was published after the last one. */
   private final Set<String> behind = new LinkedHashSet<>();
 
@@ -87,6 +90,7 @@ final class PlainTraffic implements Traffic {
     robots.forEach(this::publishStatus);
     behind.clear();
     current.values().forEach(due::putAll);
+    deleted.forEach(topic -> due.put(topic, NOTHING)); // a full store may have lost them
     publishDue();
   }
 
@@ -134,6 +138,7 @@ final class PlainTraffic implements Traffic {
   /** Adds a robot. */
   void added(RobotFeed robot) {
     robots.put(robot, robot.isConnected());
+    deleted.remove(topics.robot(robot.name()));
     publishStatus(robot, robot.isConnected());
   }
 
@@ -144,6 +149,7 @@ final class PlainTraffic implements Traffic {
       String topic = topics.variable(robot.name(), update.variable().key());
       byte[] payload = json.of(update);
       messages.put(topic, payload);
+      deleted.remove(topic);
       boolean live =
           session.publish(
               new Publication(topic, payload, qos, true), () -> new StoredMessage(topic, payload));
@@ -180,8 +186,9 @@ final class PlainTraffic implements Traffic {
     }
   }
 
-  /** Deletes a retained value. The deletion is stored until the broker has it. */
+  /** Deletes a retained value. The deletion is stored until the broker has it, for a later run. */
   private void delete(String topic) {
+    deleted.add(topic);
     due.remove(topic);
     boolean unused =
         session.publish(

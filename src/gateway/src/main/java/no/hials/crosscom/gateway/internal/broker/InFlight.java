@@ -12,8 +12,14 @@ final class InFlight {
   /** The maximum number of messages. */
   private static final int MOST = 1000;
 
-  /** The maximum number of questions on their way. The MQTT client delays more than ten. */
+  /** The maximum of bytes with which a stored message can be sent. */
+  private static final int MOST_STORED = 32_000;
+
+  /** The number of questions for a full window. The MQTT client delays more than ten. */
   private static final int QUESTIONS = 8;
+
+  /** The largest part of a window without a question, so that a slow connection has answers. */
+  private static final int BYTES_PER_QUESTION = 8_000;
 
   private final Deque<Outgoing> messages = new ArrayDeque<>();
   private final SendWindow window = new SendWindow();
@@ -33,13 +39,13 @@ final class InFlight {
 
   /**
    * Returns whether another message can be sent. If the oldest message is late, none can until all
-   * are done: the next one then shows how long the connection itself takes.
+   * are done: the next one then shows how long a round trip takes.
    *
    * @param now the time in nanoseconds
    */
   boolean hasRoom(long now) {
     Outgoing oldest = messages.peek();
-    draining |= oldest != null && !oldest.done && window.isLate(oldest, now);
+    draining |= oldest != null && !oldest.done && window.mustDrain(oldest, now);
     return !draining && messages.size() < MOST && bytes < window.size();
   }
 
@@ -54,17 +60,20 @@ final class InFlight {
   }
 
   /**
-   * Returns whether another message can be sent, and less than half of the room is in use.
+   * Returns whether a stored message can be sent: less than half of the room is in use, and no more
+   * bytes than a connection carries soon that has become slow.
    *
    * @param now the time in nanoseconds
    */
-  boolean isHalfEmpty(long now) {
-    return hasRoom(now) && messages.size() < MOST / 2 && bytes < window.size() / 2;
+  boolean hasRoomForStored(long now) {
+    return hasRoom(now)
+        && messages.size() < MOST / 2
+        && bytes < Math.min(MOST_STORED, window.size() / 2);
   }
 
   /** Returns after how many bytes the broker is asked whether it has handled them. */
   int bytesPerQuestion() {
-    return window.size() / QUESTIONS;
+    return Math.min(BYTES_PER_QUESTION, window.size() / QUESTIONS);
   }
 
   /** Adds a message that is sent now. */
@@ -91,7 +100,10 @@ final class InFlight {
   @Nullable Outgoing pollDone() {
     Outgoing first = messages.peek();
     Outgoing done = first != null && first.done ? messages.poll() : null;
-    draining &= !messages.isEmpty();
+    if (done != null && messages.isEmpty()) {
+      draining = false;
+      window.drained();
+    }
     return done;
   }
 

@@ -15,8 +15,14 @@ final class SendWindow {
   /** The delay of a message that is sought, on top of two round trips. */
   private static final long SPARE = TimeUnit.MILLISECONDS.toNanos(50);
 
+  /** After a delay that is longer than two round trips by more, nothing is sent for now. */
+  private static final long LATE = TimeUnit.MILLISECONDS.toNanos(250);
+
   /** A delay that is longer than two round trips by more means: the connection has become slow. */
-  private static final long LATE = TimeUnit.SECONDS.toNanos(1);
+  private static final long SLOW = TimeUnit.SECONDS.toNanos(1);
+
+  /** If delays are longer than is sought, the round trip is measured again after this time. */
+  private static final long INTERVAL = TimeUnit.SECONDS.toNanos(5);
 
   /** A longer delay of a message that was sent alone comes from its size. */
   private static final long LONGEST_TRIP = TimeUnit.MILLISECONDS.toNanos(1500);
@@ -25,6 +31,12 @@ final class SendWindow {
 
   /** The shortest delay since a message was sent alone. */
   private long trip;
+
+  /** When the last message that was sent alone was confirmed. */
+  private long measuredAt;
+
+  /** Whether the round trip may have become longer. */
+  private boolean outdated;
 
   /** Whether the window was made smaller on this connection. */
   private boolean shrunk;
@@ -45,6 +57,7 @@ final class SendWindow {
   void reset() {
     size = FIRST;
     trip = LONGEST_TRIP;
+    outdated = false;
     shrunk = false;
   }
 
@@ -57,9 +70,14 @@ final class SendWindow {
    */
   void confirmed(Outgoing message, long now) {
     long delay = Math.max(1, now - message.sentAt);
-    trip = Math.min(message.isAlone() ? LONGEST_TRIP : trip, delay);
+    if (message.isAlone()) {
+      trip = LONGEST_TRIP;
+      measuredAt = now;
+    }
+    trip = Math.min(trip, delay);
+    outdated = delay > 2 * trip + SPARE && now - measuredAt > INTERVAL;
     long fitting = Math.min(LARGEST, message.waiting * (2 * trip + SPARE) / delay);
-    if (!isLate(message, now)) {
+    if (delay <= 2 * trip + SLOW) {
       size = (int) Math.max(size, Math.min(2 * message.waiting, fitting));
     } else if (!shrunk || message.sentAt - shrunkAt >= 0) {
       size = (int) Math.max(SMALLEST, Math.min(size, fitting));
@@ -68,11 +86,19 @@ final class SendWindow {
     }
   }
 
+  /** Called when no message waits for the broker any more: the next one is sent alone. */
+  void drained() {
+    outdated = false;
+  }
+
   /**
-   * Returns whether a message has waited for much longer than two round trips: one for the question
-   * of a message before it, one for its own.
+   * Returns whether all messages must be confirmed before another one is sent: the oldest has
+   * waited for longer than two round trips, one for the question of a message before it and one for
+   * its own, or the round trip must be measured with a message that is sent alone.
+   *
+   * @param oldest the oldest message that is not confirmed
    */
-  boolean isLate(Outgoing message, long now) {
-    return now - message.sentAt > 2 * trip + LATE;
+  boolean mustDrain(Outgoing oldest, long now) {
+    return outdated || now - oldest.sentAt > 2 * trip + LATE;
   }
 }

@@ -329,7 +329,7 @@ public final class Session implements AutoCloseable {
   /** Sends stored messages. They get half of the places, so that new messages do not wait. */
   private boolean forward() {
     boolean busy = false;
-    while (connected && !closing && forwarding && inFlight.isHalfEmpty(now)) {
+    while (connected && !closing && forwarding && inFlight.hasRoomForStored(now)) {
       StoredMessage next = store().next();
       if (next == null) {
         break;

@@ -2,7 +2,9 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -177,6 +179,35 @@ class InFlightTest {
   }
 
   @Test
+  void aRoundTripThatHasBecomeALittleLongerIsNoticed() {
+    Outgoing quick = send(1, 0);
+    Deque<Outgoing> sent = new ArrayDeque<>(List.of(send(1, PAYLOAD)));
+    confirm(quick, 1);
+    // messages each 10 ms, so that none is sent alone
+    for (int i = 0; i < 2000; i++) {
+      now += TimeUnit.MILLISECONDS.toNanos(10);
+      while (!sent.isEmpty() && now - sent.element().sentAt >= TimeUnit.MILLISECONDS.toNanos(200)) {
+        confirm(sent.remove(), 0);
+      }
+      for (int more = 0; more < 2 && inFlight.hasRoom(now); more++) {
+        sent.add(send(1, PAYLOAD));
+      }
+    }
+
+    assertThat(sent).as("two messages each 10 ms").hasSizeBetween(38, 42);
+  }
+
+  @Test
+  void storedMessagesGetNoMoreThan32Kilobytes() {
+    confirm(fillLarge(), 1);
+    int stored = 0;
+    for (; inFlight.hasRoomForStored(now); stored++) {
+      send(1, PAYLOAD);
+    }
+    assertThat(stored).isEqualTo(32);
+  }
+
+  @Test
   void aLongRoundTripIsNotASlowConnection() {
     confirm(fill(1), 1200);
 
@@ -217,9 +248,9 @@ class InFlightTest {
     Outgoing large = send(0, 50_000);
 
     assertThat(inFlight.hasRoom(now)).isFalse();
-    assertThat(inFlight.isHalfEmpty(now)).isFalse();
+    assertThat(inFlight.hasRoomForStored(now)).isFalse();
     confirm(large, 6000);
-    assertThat(inFlight.isHalfEmpty(now)).isTrue();
+    assertThat(inFlight.hasRoomForStored(now)).isTrue();
     assertThat(fill(0)).as("8 kB/s").hasSize(16);
   }
 
@@ -259,7 +290,7 @@ class InFlightTest {
   void aStoredMessageThatIsSkippedNeedsNoRoom() {
     inFlight.add(new Outgoing(new StoredMessage("topic", new byte[50_000])));
 
-    assertThat(inFlight.isHalfEmpty(now)).isTrue();
+    assertThat(inFlight.hasRoomForStored(now)).isTrue();
     assertThat(inFlight.pollDone()).isNotNull();
   }
 }

@@ -12,7 +12,7 @@ final class InFlight {
   /** The maximum number of messages. */
   private static final int MOST = 1000;
 
-  /** The maximum of bytes with which a stored message can be sent. */
+  /** The bytes of stored messages with which no other one is sent. */
   private static final int MOST_STORED = 32_000;
 
   /** The number of questions for a full window. The MQTT client delays more than ten. */
@@ -29,6 +29,9 @@ final class InFlight {
 
   /** The bytes of the answers among them. */
   private long answerBytes;
+
+  /** The bytes of the stored messages among them. */
+  private long storedBytes;
 
   /** Whether nothing is sent until all messages are done, since one was late. */
   private boolean draining;
@@ -60,15 +63,16 @@ final class InFlight {
   }
 
   /**
-   * Returns whether a stored message can be sent: less than half of the room is in use, and no more
-   * bytes than a connection carries soon that has become slow.
+   * Returns whether another stored message can be sent: less than half of the room is in use, and
+   * no more for stored messages than a connection carries soon that has become slow.
    *
    * @param now the time in nanoseconds
    */
   boolean hasRoomForStored(long now) {
     return hasRoom(now)
         && messages.size() < MOST / 2
-        && bytes < Math.min(MOST_STORED, window.size() / 2);
+        && bytes < window.size() / 2
+        && storedBytes < MOST_STORED;
   }
 
   /** Returns after how many bytes the broker is asked whether it has handled them. */
@@ -81,6 +85,7 @@ final class InFlight {
     messages.add(message);
     bytes += message.bytes;
     answerBytes += message.isAnswer ? message.bytes : 0;
+    storedBytes += message.stored != null ? message.bytes : 0;
     message.waiting = bytes;
   }
 
@@ -93,6 +98,7 @@ final class InFlight {
     message.done = true;
     bytes -= message.bytes;
     answerBytes -= message.isAnswer ? message.bytes : 0;
+    storedBytes -= message.stored != null ? message.bytes : 0;
     window.confirmed(message, now);
   }
 
@@ -113,6 +119,7 @@ final class InFlight {
     draining = false;
     bytes = 0;
     answerBytes = 0;
+    storedBytes = 0;
     return messages.poll();
   }
 }

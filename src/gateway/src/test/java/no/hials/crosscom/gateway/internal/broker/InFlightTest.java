@@ -198,11 +198,16 @@ class InFlightTest {
   }
 
   @Test
-  void storedMessagesGetNoMoreThan32Kilobytes() {
+  void storedMessagesGet32KilobytesBesidesNewOnes() {
     confirm(fillLarge(), 1);
+    for (int i = 0; i < 40; i++) {
+      send(1, PAYLOAD);
+    }
     int stored = 0;
     for (; inFlight.hasRoomForStored(now); stored++) {
-      send(1, PAYLOAD);
+      Publication message = new Publication("topic", new byte[PAYLOAD], 1, false);
+      StoredMessage from = new StoredMessage("topic", new byte[PAYLOAD]);
+      inFlight.add(new Outgoing(message, null, from, now));
     }
     assertThat(stored).isEqualTo(32);
   }

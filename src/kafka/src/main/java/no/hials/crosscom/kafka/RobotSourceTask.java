@@ -41,7 +41,7 @@ public final class RobotSourceTask extends SourceTask {
   /** The number of records per lease that renew it. */
   private static final int BEATS = 4;
 
-  /** The offset of a robot without other records is stored as often. */
+  /** After this time at most, the offset of a robot without other records is stored. */
   private static final Duration QUIET = Duration.ofSeconds(5);
 
   private static final int MAX_BATCH = 2000;
@@ -285,6 +285,7 @@ public final class RobotSourceTask extends SourceTask {
         moment);
   }
 
+  /** Adds the record that renews the lease, and copies of it that store offsets of robots. */
   private void beat(ConnectorSettings own, Moment moment, List<SourceRecord> batch) {
     Struct value =
         new Struct(SampleRecords.LEASE_SCHEMA)
@@ -298,14 +299,14 @@ public final class RobotSourceTask extends SourceTask {
             .put("missed", robots.stream().mapToLong(RobotSource::missed).sum())
             .put("lost", robots.stream().mapToLong(RobotSource::lost).sum());
     Map<String, ?> task = Map.of("task", own.taskNumber());
-    batch.add(beat(own, moment, value, task, Map.of("time", moment.millis())));
+    batch.add(leaseRecord(own, moment, value, task, Map.of("time", moment.millis())));
     long end = turns + turnsPerBeat(own);
     // another task may have the robots now if the lease is not held
     for (; turns < end && mayUse(); turns++) {
       RobotSource robot = robots.get((int) (turns % robots.size()));
       Map<String, Object> offset = robot.quietOffset();
       if (offset != null) {
-        batch.add(beat(own, moment, value, robot.partition(), offset));
+        batch.add(leaseRecord(own, moment, value, robot.partition(), offset));
       }
     }
   }
@@ -316,7 +317,7 @@ public final class RobotSourceTask extends SourceTask {
     return Math.min(robots.size(), due);
   }
 
-  private static SourceRecord beat(
+  private static SourceRecord leaseRecord(
       ConnectorSettings own,
       Moment moment,
       Struct value,

@@ -69,10 +69,7 @@ final class InFlight {
    * @param now the time in nanoseconds
    */
   boolean hasRoomForStored(long now) {
-    return hasRoom(now)
-        && messages.size() < MOST / 2
-        && bytes < window.size() / 2
-        && storedBytes < MOST_STORED;
+    return hasRoom(now) && bytes < window.size() / 2 && storedBytes < MOST_STORED;
   }
 
   /** Returns after how many bytes the broker is asked whether it has handled them. */

@@ -15,10 +15,10 @@ final class SendWindow {
   /** The delay of a message that is sought, on top of two round trips. */
   private static final long SPARE = TimeUnit.MILLISECONDS.toNanos(50);
 
-  /** After a delay that is longer than two round trips by more, nothing is sent for now. */
+  /** After a delay that is longer than three round trips by more, nothing is sent for now. */
   private static final long LATE = TimeUnit.MILLISECONDS.toNanos(250);
 
-  /** A delay that is longer than two round trips by more means: the connection has become slow. */
+  /** A delay that is longer than three round trips by more: the connection has become slow. */
   private static final long SLOW = TimeUnit.SECONDS.toNanos(1);
 
   /** If delays are longer than is sought, the round trip is measured again after this time. */
@@ -77,7 +77,7 @@ final class SendWindow {
     trip = Math.min(trip, delay);
     outdated = delay > 2 * trip + SPARE && now - measuredAt > INTERVAL;
     long fitting = Math.min(LARGEST, message.waiting * (2 * trip + SPARE) / delay);
-    if (delay <= 2 * trip + SLOW) {
+    if (delay <= 3 * trip + SLOW) {
       size = (int) Math.max(size, Math.min(2 * message.waiting, fitting));
     } else if (!shrunk || message.sentAt - shrunkAt >= 0) {
       size = (int) Math.max(SMALLEST, Math.min(size, fitting));
@@ -93,12 +93,12 @@ final class SendWindow {
 
   /**
    * Returns whether all messages must be confirmed before another one is sent: the oldest has
-   * waited for longer than two round trips, one for the question of a message before it and one for
-   * its own, or the round trip must be measured with a message that is sent alone.
+   * waited for longer than the last one of a full window does, which is two round trips of others
+   * and its own, or the round trip must be measured with a message that is sent alone.
    *
    * @param oldest the oldest message that is not confirmed
    */
   boolean mustDrain(Outgoing oldest, long now) {
-    return outdated || now - oldest.sentAt > 2 * trip + LATE;
+    return outdated || now - oldest.sentAt > 3 * trip + LATE;
   }
 }

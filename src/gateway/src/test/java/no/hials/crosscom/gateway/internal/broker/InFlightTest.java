@@ -213,6 +213,16 @@ class InFlightTest {
   }
 
   @Test
+  void storedMessagesAreSentBesidesManySmallOnes() {
+    confirm(fillLarge(), 1);
+    for (int i = 0; i < 900; i++) {
+      send(1, 1);
+    }
+
+    assertThat(inFlight.hasRoomForStored(now)).isTrue();
+  }
+
+  @Test
   void aLongRoundTripIsNotASlowConnection() {
     confirm(fill(1), 1200);
 

@@ -8,6 +8,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class PlainTopicsIT extends BrokerTest {
+  /** As {@link #READ_ALL}, without the operating mode. */
+  private static final String FEWER = READ_ALL.replace("\"$MODE_OP\", ", "");
+
   @ParameterizedTest
   @ValueSource(ints = {3, 5})
   void publishesEachVariableAsRetainedJson(int version) throws Exception {
@@ -84,7 +87,7 @@ class PlainTopicsIT extends BrokerTest {
     try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
       observer.await("robots/cell1/$MODE_OP", "good");
 
-      gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt(broker)));
+      gateway.apply(config(FEWER + mqtt(broker)));
 
       awaitDeletion(observer);
       observer.forget();
@@ -112,7 +115,7 @@ class PlainTopicsIT extends BrokerTest {
       observer.await("robots/cell1/$MODE_OP", "good");
 
       cable.hold();
-      gateway.apply(config(READ_ALL.replace("\"$MODE_OP\", ", "") + mqtt(cable)));
+      gateway.apply(config(FEWER + mqtt(cable)));
       cable.awaitHeld();
       cable.cut();
       cable.connect();
@@ -124,7 +127,6 @@ class PlainTopicsIT extends BrokerTest {
   @Test
   void aDeletionIsKeptWhenTheOutputChangesMeanwhile() throws Exception {
     broker = Mosquitto.open(folder);
-    String fewer = READ_ALL.replace("\"$MODE_OP\", ", "");
     try (Cable cable = new Cable(broker.port());
         Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
       cable.connect();
@@ -132,8 +134,8 @@ class PlainTopicsIT extends BrokerTest {
       observer.await("robots/cell1/$MODE_OP", "good");
 
       cable.cut();
-      gateway.apply(config(fewer + mqtt(cable)));
-      gateway.apply(config(fewer + mqtt(cable, "qos = 0")));
+      gateway.apply(config(FEWER + mqtt(cable)));
+      gateway.apply(config(FEWER + mqtt(cable, "qos = 0")));
       cable.connect();
 
       awaitDeletion(observer);

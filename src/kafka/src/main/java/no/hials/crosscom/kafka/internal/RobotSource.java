@@ -105,7 +105,7 @@ public final class RobotSource implements Closeable {
 
     /** Returns whether the gap can be reported, also if no sample follows. */
     boolean isComplete() {
-      return missed > 0 || lost > 0 || ended;
+      return lost > 0 || ended;
     }
   }
 

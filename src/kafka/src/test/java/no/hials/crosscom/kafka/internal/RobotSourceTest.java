@@ -26,6 +26,9 @@ import org.junit.jupiter.api.Timeout;
 class RobotSourceTest {
   private static final Map<String, ?> STORED = Map.of("run", 5L, "sequence", 70L, "time", 1000L);
 
+  private static final String SLOW_GROUP =
+      "[groups.other]\nvariables = [\"$MODE_OP\"]\nperiod = \"200ms\"";
+
   private static final Duration SLOW_ANSWER = Duration.ofMillis(1100);
 
   @KukaController private MockServer robot;
@@ -190,8 +193,7 @@ class RobotSourceTest {
   void eachPeriodHasAGapFromItsOwnLastReading() throws Exception {
     BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
     AtomicBoolean held = new AtomicBoolean(true);
-    String slowGroup = "[groups.other]\nvariables = [\"$MODE_OP\"]\nperiod = \"200ms\"";
-    try (RobotSource source = new RobotSource(plan(slowGroup), queue, null)) {
+    try (RobotSource source = new RobotSource(plan(SLOW_GROUP), queue, null)) {
       source.open(held::get);
       next(queue);
       held.set(false);
@@ -244,8 +246,7 @@ class RobotSourceTest {
   @Test
   void aGapOfASlowRobotHasTheTimeOfItsReadingsWithTwoPeriodsToo() throws Exception {
     BlockingQueue<Item> queue = new ArrayBlockingQueue<>(10_000);
-    String slowGroup = "[groups.other]\nvariables = [\"$MODE_OP\"]\nperiod = \"200ms\"";
-    try (RobotSource source = new RobotSource(plan(slowGroup), queue, null)) {
+    try (RobotSource source = new RobotSource(plan(SLOW_GROUP), queue, null)) {
       source.open(() -> true);
       next(queue);
       answerSlowly();

@@ -15,7 +15,7 @@ final class InFlight {
   /** The bytes of stored messages with which no other one is sent. */
   private static final int MOST_STORED = 32_000;
 
-  /** The number of questions for a full window. The MQTT client delays more than ten. */
+  /** The number of questions for a small window that is full. The client delays more than ten. */
   private static final int QUESTIONS = 8;
 
   /** The largest part of a window without a question, so that a slow connection has answers. */

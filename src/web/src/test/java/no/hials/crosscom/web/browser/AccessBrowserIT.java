@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.google.zxing.BinaryBitmap;
 import com.google.zxing.LuminanceSource;
 import com.google.zxing.RGBLuminanceSource;
+import com.google.zxing.ReaderException;
 import com.google.zxing.common.HybridBinarizer;
 import com.google.zxing.qrcode.QRCodeReader;
 import com.sun.net.httpserver.HttpServer;
@@ -199,7 +200,7 @@ class AccessBrowserIT {
     assertThat(browser.barriers()).isEmpty();
     assertThat(browser.overflow()).isNotPositive();
     assertThat(size == Browser.Size.DESKTOP ? List.of() : browser.smallTargets()).isEmpty();
-    String link = code(browser.picture());
+    String link = code(browser);
     assertThat(browser.run("return document.querySelector('.made .link').value")).isEqualTo(link);
 
     assertThat(pages.get(URI.create(link)).statusCode()).isEqualTo(200);
@@ -221,7 +222,18 @@ class AccessBrowserIT {
     browser.await(LIVE);
   }
 
-  /** Reads the QR code in a picture, as the camera of a phone does. */
+  /** Reads the QR code on the page from one of some pictures, as the camera of a phone does. */
+  private static String code(Browser browser) throws Exception {
+    for (int left = 10; left > 1; left--) {
+      try {
+        return code(browser.picture());
+      } catch (ReaderException e) {
+        // the page was being drawn
+      }
+    }
+    return code(browser.picture());
+  }
+
   private static String code(BufferedImage picture) throws Exception {
     int width = picture.getWidth();
     int height = picture.getHeight();

@@ -252,28 +252,37 @@ public final class Browser implements AutoCloseable {
   /** Waits until an expression of JavaScript is true in the page. */
   public void await(String expression) {
     // in the page, since its policy allows no script that is made from text there
-    Object found =
+    Object failure =
         driver.executeAsyncScript(
             """
             const done = arguments[0];
             const end = performance.now() + %d;
             (function look() {
-              if (%s) {
-                done(true);
+              let found = false;
+              let failure = 'it is not true';
+              try {
+                found = %s;
+              } catch (e) {
+                failure = String(e);
+              }
+              if (found) {
+                done(null);
               } else if (performance.now() > end) {
-                done(false);
+                done(failure);
               } else {
                 setTimeout(look, 20);
               }
             })();
             """
                 .formatted(SECONDS * 1000, expression));
-    if (!Boolean.TRUE.equals(found)) {
+    if (failure != null) {
       throw new AssertionError(
           "not within "
               + SECONDS
               + " s: "
               + expression
+              + ": "
+              + failure
               + "; the page shows:\n"
               + run("return document.body?.innerText"));
     }

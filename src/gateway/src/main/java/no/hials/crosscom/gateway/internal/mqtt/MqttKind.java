@@ -193,10 +193,11 @@ public final class MqttKind implements OutputKind<MqttSettings> {
       return null;
     }
     boolean ends = text.isEmpty() || text.startsWith("/") || text.endsWith("/");
-    if (ends || text.startsWith("$") || text.matches(".*[+#\\x00-\\x1F].*")) {
+    if (ends || text.startsWith("$") || text.matches("(?s).*[+#\\p{Cntrl}].*")) {
       throw table.error(
           key,
-          "must not be empty, begin with $ or a slash, end with a slash, or have + or # in it");
+          "must not be empty, begin with $ or a slash, end with a slash, or have +, # or a control"
+              + " character in it");
     }
     if (!levels && text.contains("/")) {
       throw table.error(key, "must not have a slash in it");

@@ -81,6 +81,7 @@ class MqttKindTest {
         "qos = 3 | mqtt.qos: must be 0, 1 or 2, is 3",
         "client-id = \"\" | mqtt.client-id: must not be empty; without it the identifier is random",
         "topic = \"a/#\" | mqtt.topic: must not be empty, begin with $",
+        "topic = \"a\\nb\\nc\" | mqtt.topic: must not be empty, begin with $",
         "topic = \"spBv1.0\" | mqtt.topic: must not begin with spBv1.0, the namespace of Sparkplug",
         "topic = \"spBv1.0/g\" | mqtt.topic: must not begin with spBv1.0",
         "store-limit = \"10 kB\" | mqtt.store-limit: must be 100 kB or more",

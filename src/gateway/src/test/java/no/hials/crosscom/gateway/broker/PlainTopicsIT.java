@@ -3,6 +3,8 @@ package no.hials.crosscom.gateway.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import java.util.HashMap;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -139,6 +141,40 @@ class PlainTopicsIT extends BrokerTest {
       cable.connect();
 
       awaitDeletion(observer);
+    }
+  }
+
+  @Test
+  void whatWasRemovedWhileTheGatewayDidNotRunIsDeleted() throws Exception {
+    broker = Mosquitto.open(folder);
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      start(READ_ALL + mqtt(broker));
+      observer.await("robots/cell1/$MODE_OP", "good");
+      gateway.close();
+
+      start(FEWER + mqtt(broker));
+
+      awaitDeletion(observer);
+    }
+  }
+
+  @Test
+  void theTopicsOfAnotherPrefixAreDeleted() throws Exception {
+    broker = Mosquitto.open(folder);
+    start(READ_ALL + mqtt(broker));
+    try (Observer observer = new Observer(broker.port()).subscribe("#")) {
+      observer.await("robots/cell1/$MODE_OP", "good");
+
+      gateway.apply(config(READ_ALL + mqtt(broker, "topic = \"plant\"")));
+
+      observer.await("plant/cell1/$MODE_OP", "good");
+      observer.await(
+          all -> {
+            Map<String, Integer> lengths = new HashMap<>();
+            all.forEach(it -> lengths.put(it.getTopic().toString(), it.getPayloadAsBytes().length));
+            lengths.keySet().removeIf(topic -> topic.startsWith("plant/"));
+            return lengths.size() == 6 && lengths.values().stream().allMatch(it -> it == 0);
+          });
     }
   }
 }

@@ -226,6 +226,7 @@ public final class Session implements AutoCloseable {
       lost(over, cause);
       return;
     }
+    traffic().confirmed(message);
     inFlight.done(one, lastAnswer);
     confirm();
   }
@@ -360,9 +361,7 @@ public final class Session implements AutoCloseable {
       droppedStored = 0;
       traffic().forwarded();
     }
-    if (connected && !store().isEmpty()) {
-      forwarding = true;
-    }
+    forwarding |= connected && !store().isEmpty();
     return busy;
   }
 

@@ -44,6 +44,9 @@ public interface Traffic {
    */
   boolean forward(StoredMessage message);
 
+  /** Called when the broker has a message, or has refused it. */
+  default void confirmed(Publication message) {}
+
   /** Called when the broker has all stored messages. */
   void forwarded();
 

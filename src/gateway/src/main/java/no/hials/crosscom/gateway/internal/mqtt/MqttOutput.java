@@ -44,7 +44,8 @@ final class MqttOutput implements Output {
     }
     session = new Session(broker, "plain", folder.resolve("plain"), context.health());
     commands = settings.commands() ? new CommandQueue(context) : null;
-    traffic = plainTraffic(settings, context, commands);
+    RetainedTopics retained = new RetainedTopics(folder.resolve("retained"), broker.url());
+    traffic = plainTraffic(settings, context, retained, commands);
     LOG.info("MQTT: publishes to {}, topics {}/#", broker.url(), settings.topic());
     if (commands != null && broker.version() == 3) {
       LOG.warn("MQTT: with MQTT 3.1.1, a retained command may be executed; MQTT 5 has no such gap");
@@ -78,12 +79,15 @@ final class MqttOutput implements Output {
   }
 
   private PlainTraffic plainTraffic(
-      MqttSettings settings, GatewayContext context, @Nullable CommandQueue executor) {
+      MqttSettings settings,
+      GatewayContext context,
+      RetainedTopics retained,
+      @Nullable CommandQueue executor) {
     if (executor == null) {
-      return new PlainTraffic(settings, session, context, null);
+      return new PlainTraffic(settings, session, context, retained, null);
     }
     TopicCommands topicCommands = new TopicCommands(settings, executor, session::submitAnswer);
-    return new PlainTraffic(settings, session, context, topicCommands::receive);
+    return new PlainTraffic(settings, session, context, retained, topicCommands::receive);
   }
 
   @Override

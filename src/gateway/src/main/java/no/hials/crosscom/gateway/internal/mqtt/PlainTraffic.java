@@ -3,8 +3,8 @@ package no.hials.crosscom.gateway.internal.mqtt;
 import static java.nio.charset.StandardCharsets.UTF_8;
 
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -36,10 +35,11 @@ final class PlainTraffic implements Traffic {
   private final Session session;
   private final GatewayContext context;
   private final @Nullable Consumer<Received> commands;
+  private final RetainedTopics retained;
   private final ValueJson json = new ValueJson();
 
-  /** The last message of each topic, by robot and topic. */
-  private final Map<String, Map<String, byte[]>> current = new HashMap<>();
+  /** The last message of each topic of a robot. */
+  private final Map<String, byte[]> current = new HashMap<>();
 
   /** The robots, and whether their status topics show that they are connected. */
   private final Map<RobotFeed, Boolean> robots = new LinkedHashMap<>();
@@ -47,8 +47,8 @@ final class PlainTraffic implements Traffic {
   /** The retained messages that wait for room, by topic; each is the last one of its topic. */
   private final Map<String, byte[]> due = new LinkedHashMap<>();
 
-  /** The topics of removed robots and variables, whose retained values must not come back. */
-  private final Set<String> deleted = new LinkedHashSet<>();
+  /** Whether robots were removed since {@link #deleteUnused}. */
+  private boolean mayHaveUnused;
 
   /** Topics on which an older value was published after the last one. */
   private final Set<String> behind = new LinkedHashSet<>();
@@ -56,17 +56,20 @@ final class PlainTraffic implements Traffic {
   /**
    * Creates the traffic.
    *
+   * @param retained the topics of earlier runs
    * @param commands executes the commands; null if there are none
    */
   PlainTraffic(
       MqttSettings settings,
       Session session,
       GatewayContext context,
+      RetainedTopics retained,
       @Nullable Consumer<Received> commands) {
     this.topics = new Topics(settings.topic());
     this.qos = settings.qos();
     this.session = session;
     this.context = context;
+    this.retained = retained;
     this.commands = commands;
   }
 
@@ -86,16 +89,32 @@ final class PlainTraffic implements Traffic {
 
   @Override
   public void connected() {
+    retained.add(topics.gateway());
     session.publish(status("online"), null);
-    robots.forEach(this::publishStatus);
     behind.clear();
-    current.values().forEach(due::putAll);
-    deleted.forEach(topic -> due.put(topic, NOTHING)); // a full store may have lost them
-    publishDue();
+    due.putAll(current);
+    deleteUnused();
   }
 
   private void retain(String topic, byte[] payload) {
+    retained.add(topic);
+    current.put(topic, payload);
     due.put(topic, payload);
+    publishDue();
+  }
+
+  /** Deletes the retained values of robots and variables that are not configured. */
+  private void deleteUnused() {
+    mayHaveUnused = false;
+    Set<String> used = new HashSet<>();
+    used.add(topics.gateway());
+    for (PollPlan plan : context.plant().plans()) {
+      String robot = plan.robot().name();
+      used.add(topics.robot(robot));
+      plan.variables().keySet().forEach(key -> used.add(topics.variable(robot, key)));
+    }
+    current.keySet().retainAll(used);
+    retained.without(used).forEach(topic -> due.put(topic, NOTHING));
     publishDue();
   }
 
@@ -122,7 +141,11 @@ final class PlainTraffic implements Traffic {
         publishStatus(robot.getKey(), now);
       }
     }
+    if (mayHaveUnused) {
+      deleteUnused();
+    }
     publishDue();
+    retained.save();
   }
 
   private void publishStatus(RobotFeed robot, boolean connected) {
@@ -138,18 +161,16 @@ final class PlainTraffic implements Traffic {
   /** Adds a robot. */
   void added(RobotFeed robot) {
     robots.put(robot, robot.isConnected());
-    deleted.remove(topics.robot(robot.name()));
     publishStatus(robot, robot.isConnected());
   }
 
   /** Publishes the values of a robot. */
   void updated(RobotFeed robot, List<Update> updates) {
-    Map<String, byte[]> messages = current.computeIfAbsent(robot.name(), it -> new HashMap<>());
     for (Update update : updates) {
       String topic = topics.variable(robot.name(), update.variable().key());
       byte[] payload = json.of(update);
-      messages.put(topic, payload);
-      deleted.remove(topic);
+      retained.add(topic);
+      current.put(topic, payload);
       boolean live =
           session.publish(
               new Publication(topic, payload, qos, true), () -> new StoredMessage(topic, payload));
@@ -162,37 +183,11 @@ final class PlainTraffic implements Traffic {
     }
   }
 
-  /** Removes a robot, and those of its retained values that are no longer configured. */
+  /** Removes a robot. */
   void removed(RobotFeed robot) {
     robots.remove(robot);
     publishStatus(robot, false);
-    Set<String> kept =
-        context.plant().plans().stream()
-            .filter(plan -> plan.robot().name().equals(robot.name()))
-            .map(PollPlan::variables)
-            .flatMap(variables -> variables.keySet().stream())
-            .map(key -> topics.variable(robot.name(), key))
-            .collect(Collectors.toSet());
-    Map<String, byte[]> messages = current.getOrDefault(robot.name(), Map.of());
-    for (String topic : new ArrayList<>(messages.keySet())) {
-      if (!kept.contains(topic)) {
-        messages.remove(topic);
-        delete(topic);
-      }
-    }
-    if (!context.plant().robots().containsKey(robot.name())) {
-      delete(topics.robot(robot.name()));
-      current.remove(robot.name());
-    }
-  }
-
-  /** Deletes a retained value. The deletion is stored until the broker has it, for a later run. */
-  private void delete(String topic) {
-    deleted.add(topic);
-    due.remove(topic);
-    boolean unused =
-        session.publish(
-            new Publication(topic, NOTHING, qos, true), () -> new StoredMessage(topic, NOTHING));
+    mayHaveUnused = true;
   }
 
   @Override
@@ -201,35 +196,28 @@ final class PlainTraffic implements Traffic {
     if (!due.isEmpty()) {
       return false; // current values first
     }
-    boolean deletes = !message.payload().hasRemaining();
-    if (deletes && isUsed(message.topic())) {
-      session.skipStored(message);
-      return true;
-    }
     behind.add(message.topic());
     session.publishStored(
-        new Publication(message.topic(), message.payload(), qos, deletes, null), message);
+        new Publication(message.topic(), message.payload(), qos, false, null), message);
     return true;
   }
 
-  /** Returns whether the topic is that of a robot, or of a variable that was read. */
-  private boolean isUsed(String topic) {
-    return robots.keySet().stream().anyMatch(robot -> topics.robot(robot.name()).equals(topic))
-        || current.values().stream().anyMatch(messages -> messages.containsKey(topic));
+  @Override
+  public void confirmed(Publication message) {
+    boolean deletes = message.retained() && !message.payload().hasRemaining();
+    if (deletes && !current.containsKey(message.topic())) {
+      retained.remove(message.topic());
+    }
   }
 
   @Override
   public void forwarded() {
-    current
-        .values()
-        .forEach(
-            messages ->
-                messages.forEach(
-                    (topic, payload) -> {
-                      if (behind.contains(topic)) {
-                        due.put(topic, payload);
-                      }
-                    }));
+    current.forEach(
+        (topic, payload) -> {
+          if (behind.contains(topic)) {
+            due.put(topic, payload);
+          }
+        });
     behind.clear();
     publishDue();
   }
@@ -240,5 +228,6 @@ final class PlainTraffic implements Traffic {
     // there is no later time, so the broker gets what it can in the last two seconds
     due.forEach(this::publishRetained);
     due.clear();
+    retained.save();
   }
 }

@@ -80,6 +80,9 @@ final class MessageStore implements AutoCloseable {
     } catch (IOException e) {
       LOG.warn("cannot read the stored messages in {}: {}", folder, e.toString());
     }
+    if (!isEmpty()) {
+      LOG.info("{} messages of an earlier run are stored in {}", messages, folder);
+    }
     showSize();
   }
 

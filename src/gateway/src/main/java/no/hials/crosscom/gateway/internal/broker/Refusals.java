@@ -12,8 +12,8 @@ import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Logs the messages that a broker refuses: one line for a topic, since the next messages of the
- * topic are usually refused for the same reason. Not thread-safe.
+ * Counts and logs the messages that a broker refuses: one line for a topic, since the next messages
+ * of the topic are usually refused for the same reason. Not thread-safe.
  */
 final class Refusals {
   private static final Logger LOG = LoggerFactory.getLogger(Refusals.class);
@@ -22,6 +22,7 @@ final class Refusals {
   private static final int MAX_TOPICS = 20;
 
   private final String session;
+  private final SessionFigures figures;
   private final Set<String> topics = new HashSet<>();
 
   /**
@@ -29,8 +30,9 @@ final class Refusals {
    *
    * @param session the name of the session
    */
-  Refusals(String session) {
+  Refusals(String session, SessionFigures figures) {
     this.session = session;
+    this.figures = figures;
   }
 
   /** Returns whether a message was refused, and not lost with its connection. */
@@ -40,8 +42,14 @@ final class Refusals {
         || cause instanceof MqttEncodeException;
   }
 
-  /** Logs a refusal, if it is the first one of its topic. */
-  void log(String topic, Throwable cause) {
+  /** Adds a refusal that the broker or the client has answered. */
+  void add(String topic, Throwable cause) {
+    add(topic, reason(cause));
+  }
+
+  /** Adds a refusal. */
+  void add(String topic, String reason) {
+    figures.dropped("refused", 1);
     if (topics.size() == MAX_TOPICS || !topics.add(topic)) {
       return;
     }
@@ -49,7 +57,7 @@ final class Refusals {
         "MQTT {}: the broker refuses {}: {}; {}",
         session,
         topic,
-        reason(cause),
+        reason,
         topics.size() < MAX_TOPICS
             ? "further refusals of the topic are only counted"
             : "all further refusals are only counted");

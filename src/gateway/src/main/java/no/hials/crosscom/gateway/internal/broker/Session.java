@@ -8,7 +8,6 @@ import java.util.Objects;
 import java.util.Queue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
@@ -54,7 +53,7 @@ public final class Session implements AutoCloseable {
   // used only by the thread
   private final InFlight inFlight = new InFlight();
   private final Refusals refusals;
-  private final Attempts attempts = new Attempts();
+  private final Attempts attempts;
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
   private boolean connected;
@@ -66,7 +65,6 @@ public final class Session implements AutoCloseable {
   private long droppedStored;
   private long now = System.nanoTime(); // the same during a task, so that room stays room
   private long nextTick = now;
-  private String lastFailure = "";
 
   /**
    * Creates a session; {@link #start} connects it.
@@ -84,8 +82,9 @@ public final class Session implements AutoCloseable {
     this.settings = settings;
     this.name = name;
     this.folder = folder;
-    this.refusals = new Refusals(name);
     this.figures = new SessionFigures(health, name);
+    this.refusals = new Refusals(name, figures);
+    this.attempts = new Attempts(name, settings.url());
     this.thread = new Thread(this::loop, "mqtt-" + name);
     thread.setDaemon(true);
   }
@@ -198,14 +197,11 @@ public final class Session implements AutoCloseable {
   }
 
   private void send(Publication message, Outgoing one) {
+    Link over = Objects.requireNonNull(link);
     if (inFlight.isEmpty()) {
       lastAnswer = one.sentAt;
     }
     inFlight.add(one);
-    Link over = link;
-    if (over == null) {
-      return;
-    }
     CompletableFuture<?> unused =
         over.publishConfirmed(message, inFlight.bytesPerQuestion())
             .whenComplete((result, failure) -> run(() -> sent(over, message, one, failure)));
@@ -220,8 +216,7 @@ public final class Session implements AutoCloseable {
     if (cause == null) {
       figures.published.inc();
     } else if (Refusals.isRefusal(cause)) {
-      figures.dropped("refused", 1);
-      refusals.log(message.topic(), cause);
+      refusals.add(message.topic(), cause);
     } else {
       lost(over, cause);
       return;
@@ -245,13 +240,6 @@ public final class Session implements AutoCloseable {
   }
 
   private void loop() {
-    try {
-      if (!store().isEmpty()) {
-        LOG.info("MQTT {}: {} messages of an earlier run are stored", name, store().size());
-      }
-    } catch (RuntimeException | Error e) {
-      failed(e);
-    }
     long endBy = 0;
     while (endBy == 0 || System.nanoTime() - endBy < 0) {
       boolean busy = false;
@@ -379,10 +367,10 @@ public final class Session implements AutoCloseable {
               .thenCompose(
                   ack ->
                       next.subscribe(traffic().subscriptions(), () -> next == link, this::refused))
-              .whenComplete((result, failure) -> run(() -> attempted(next, Link.cause(failure))));
+              .whenComplete((result, failure) -> run(() -> connected(next, Link.cause(failure))));
     } catch (IOException | RuntimeException e) {
       link = null;
-      failed(String.valueOf(e.getMessage()));
+      attempts.failed(String.valueOf(e.getMessage()));
     }
   }
 
@@ -393,22 +381,17 @@ public final class Session implements AutoCloseable {
     }
   }
 
-  private void attempted(Link over, @Nullable Throwable failure) {
-    if (failure == null) {
-      connected(over);
-    } else {
+  private void connected(Link over, @Nullable Throwable failure) {
+    if (failure != null) {
       lost(over, failure);
+      return;
     }
-  }
-
-  private void connected(Link over) {
     if (over != link) {
       CompletableFuture<?> unused = over.disconnect().exceptionally(ended -> null);
       return;
     }
     connected = true;
     attempts.connected();
-    lastFailure = "";
     figures.connected.set(1);
     String stored =
         store().isEmpty() ? "" : ", " + store().size() + " stored messages are forwarded";
@@ -430,20 +413,12 @@ public final class Session implements AutoCloseable {
     // if only the gateway has given up the connection, the broker tells the others that it is over
     CompletableFuture<?> unused = over.disconnectWithWill().exceptionally(ended -> null);
     keep();
-    if (was) {
-      LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
-      attempts.lost();
-    } else {
-      failed(reason);
+    if (!was) {
+      attempts.failed(reason);
+      return;
     }
-  }
-
-  private void failed(String reason) {
-    if (!reason.equals(lastFailure)) {
-      LOG.warn("MQTT {}: cannot connect to {}: {}", name, settings.url(), reason);
-    }
-    lastFailure = reason;
-    attempts.failed();
+    LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
+    attempts.lost();
   }
 
   /** Stores what the broker has not confirmed, and forwards the rest of the store later. */
@@ -470,13 +445,7 @@ public final class Session implements AutoCloseable {
     store().close();
     if (last != null) {
       link = null;
-      try {
-        last.disconnect().get(END, TimeUnit.NANOSECONDS);
-      } catch (ExecutionException | TimeoutException e) {
-        LOG.debug("MQTT {}: the connection was not ended in order", name, e);
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
-      }
+      last.disconnect().orTimeout(END, TimeUnit.NANOSECONDS).exceptionally(late -> null).join();
     }
   }
 

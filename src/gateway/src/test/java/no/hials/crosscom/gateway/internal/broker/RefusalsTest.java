@@ -6,6 +6,7 @@ import ch.qos.logback.classic.Logger;
 import ch.qos.logback.classic.spi.ILoggingEvent;
 import ch.qos.logback.core.read.ListAppender;
 import com.hivemq.client.mqtt.exceptions.MqttEncodeException;
+import no.hials.crosscom.gateway.Health;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -14,7 +15,8 @@ import org.slf4j.LoggerFactory;
 class RefusalsTest {
   private final Logger logger = (Logger) LoggerFactory.getLogger(Refusals.class);
   private final ListAppender<ILoggingEvent> lines = new ListAppender<>();
-  private final Refusals refusals = new Refusals("plain");
+  private final Refusals refusals =
+      new Refusals("plain", new SessionFigures(new Health(), "plain"));
 
   @BeforeEach
   void listen() {
@@ -28,7 +30,7 @@ class RefusalsTest {
   }
 
   private void refuse(String topic) {
-    refusals.log(topic, new MqttEncodeException("too long"));
+    refusals.add(topic, new MqttEncodeException("too long"));
   }
 
   @Test

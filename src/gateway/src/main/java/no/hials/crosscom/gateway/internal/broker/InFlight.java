@@ -24,6 +24,9 @@ final class InFlight {
   private final Deque<Outgoing> messages = new ArrayDeque<>();
   private final SendWindow window = new SendWindow();
 
+  /** The maximum number of messages like the last one. */
+  private int most = MOST;
+
   /** The bytes of the messages that are not done. */
   private long bytes;
 
@@ -49,7 +52,7 @@ final class InFlight {
   boolean hasRoom(long now) {
     Outgoing oldest = messages.peek();
     draining |= oldest != null && !oldest.done && window.mustDrain(oldest, now);
-    return !draining && messages.size() < MOST && bytes < window.size();
+    return !draining && messages.size() < most && bytes < window.size();
   }
 
   /**
@@ -75,6 +78,11 @@ final class InFlight {
   /** Returns after how many bytes the broker is asked whether it has handled them. */
   int bytesPerQuestion() {
     return Math.min(BYTES_PER_QUESTION, window.size() / QUESTIONS);
+  }
+
+  /** Sets the maximum number of messages, which is never more than usual. */
+  void limit(int number) {
+    most = Math.min(number, MOST);
   }
 
   /** Adds a message that is sent now. */
@@ -114,6 +122,7 @@ final class InFlight {
   @Nullable Outgoing pollLost() {
     window.reset();
     draining = false;
+    most = MOST;
     bytes = 0;
     answerBytes = 0;
     storedBytes = 0;

@@ -86,6 +86,17 @@ interface Link {
         : sent.thenCompose(unused -> roundTrip(message.payload().remaining(), most));
   }
 
+  /** Returns the maximum size of a packet that the broker accepts, in bytes. */
+  int mostBytes();
+
+  /**
+   * Returns the maximum number of messages on their way. It is twice what the broker takes at a
+   * time, so that it always has the next ones.
+   *
+   * @param qos their quality of service
+   */
+  int mostInFlight(int qos);
+
   /** Disconnects, so that the broker does not publish the will. */
   CompletableFuture<?> disconnect();
 

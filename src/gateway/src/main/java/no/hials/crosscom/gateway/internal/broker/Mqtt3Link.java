@@ -22,6 +22,9 @@ final class Mqtt3Link implements Link {
   /** The maximum time until the broker confirms the will. */
   private static final int WILL_SECONDS = 1;
 
+  /** Some brokers end a connection that has more messages on their way; mosquitto takes 20. */
+  private static final int MOST_QOS_2 = 10;
+
   private final Mqtt3AsyncClient client;
   private final Publication will;
   private final Mqtt3Connect connect;
@@ -93,6 +96,16 @@ final class Mqtt3Link implements Link {
   @Override
   public CompletableFuture<?> roundTrip(int size, int most) {
     return roundTrips.next(size, most);
+  }
+
+  @Override
+  public int mostBytes() {
+    return Integer.MAX_VALUE; // the broker does not tell it
+  }
+
+  @Override
+  public int mostInFlight(int qos) {
+    return qos == 2 ? MOST_QOS_2 : Integer.MAX_VALUE;
   }
 
   @Override

@@ -5,6 +5,7 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.datatypes.MqttQos;
 import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientConnectionConfig.RestrictionsForClient;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5UnsubAckException;
 import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuth;
 import com.hivemq.client.mqtt.mqtt5.message.auth.Mqtt5SimpleAuthBuilder;
@@ -20,6 +21,7 @@ import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.function.ToIntFunction;
 import no.hials.crosscom.gateway.internal.broker.Traffic.TopicFilter;
 import org.jspecify.annotations.Nullable;
 
@@ -27,6 +29,9 @@ import org.jspecify.annotations.Nullable;
 final class Mqtt5Link implements Link {
   /** The user property in which a client can name itself. */
   private static final String SENDER = "client-id";
+
+  /** The receive maximum of a broker that has none. */
+  private static final int LARGEST = 65_535;
 
   private final Mqtt5AsyncClient client;
   private final Mqtt5Connect connect;
@@ -123,6 +128,26 @@ final class Mqtt5Link implements Link {
               }
               return true;
             });
+  }
+
+  private int restriction(ToIntFunction<RestrictionsForClient> which) {
+    return client
+        .getConfig()
+        .getConnectionConfig()
+        .map(connection -> which.applyAsInt(connection.getRestrictionsForClient()))
+        .orElse(Integer.MAX_VALUE);
+  }
+
+  @Override
+  public int mostBytes() {
+    return restriction(RestrictionsForClient::getSendMaximumPacketSize);
+  }
+
+  @Override
+  public int mostInFlight(int qos) {
+    return qos == 0
+        ? Integer.MAX_VALUE
+        : 2 * Math.min(LARGEST, restriction(RestrictionsForClient::getSendMaximum));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package no.hials.crosscom.gateway.internal.broker;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import java.nio.ByteBuffer;
 import org.jspecify.annotations.Nullable;
 
@@ -16,5 +18,17 @@ public record Publication(
   /** Creates a message that is not an answer. */
   public Publication(String topic, byte[] payload, int qos, boolean retained) {
     this(topic, ByteBuffer.wrap(payload).asReadOnlyBuffer(), qos, retained, null);
+  }
+
+  /** Returns the maximum size of the packet in bytes. */
+  int size() {
+    int header = 5; // kind, and the length of the rest
+    int properties = 4 + (correlation == null ? 0 : 3 + correlation.remaining());
+    return header
+        + 2
+        + topic.getBytes(UTF_8).length
+        + (qos == 0 ? 0 : 2)
+        + properties
+        + payload.remaining();
   }
 }

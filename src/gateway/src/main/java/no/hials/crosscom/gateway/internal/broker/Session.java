@@ -196,11 +196,31 @@ public final class Session implements AutoCloseable {
     return opened;
   }
 
+  /**
+   * Returns whether the broker is sent messages of this topic and size. If not, the message is
+   * counted and logged as refused. Call it only on the thread of the session.
+   */
+  public boolean accepts(Publication message) {
+    int most = link == null ? Integer.MAX_VALUE : link.mostBytes();
+    if (message.size() > most) {
+      refusals.add(message.topic(), "it has " + message.size() + " bytes, and may have " + most);
+      return false;
+    }
+    return true;
+  }
+
   private void send(Publication message, Outgoing one) {
     Link over = Objects.requireNonNull(link);
+    if (!accepts(message)) {
+      if (one.stored != null) {
+        skipStored(one.stored);
+      }
+      return;
+    }
     if (inFlight.isEmpty()) {
       lastAnswer = one.sentAt;
     }
+    inFlight.limit(over.mostInFlight(message.qos()));
     inFlight.add(one);
     CompletableFuture<?> unused =
         over.publishConfirmed(message, inFlight.bytesPerQuestion())

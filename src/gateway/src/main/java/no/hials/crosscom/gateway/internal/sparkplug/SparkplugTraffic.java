@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import no.hials.crosscom.cell.feed.Quality;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -44,6 +45,9 @@ public final class SparkplugTraffic implements Traffic {
   private final AtomicBoolean rebirthWaits = new AtomicBoolean();
   private long lastAlias;
   private int seq;
+
+  /** Whether the broker was sent the birth of the node. */
+  private boolean born;
 
   /**
    * Creates the traffic.
@@ -90,12 +94,9 @@ public final class SparkplugTraffic implements Traffic {
   @Override
   public void connected() {
     seq = 0;
-    publish(
-        "NBIRTH",
-        "",
-        List.of(
-            bdSeq(),
-            Payloads.metric(new Metric.MetricBuilder(REBIRTH, MetricDataType.Boolean, false))));
+    Metric rebirth =
+        Payloads.metric(new Metric.MetricBuilder(REBIRTH, MetricDataType.Boolean, false));
+    born = publish(message("NBIRTH", "", List.of(bdSeq(), rebirth)), null);
     devices.values().forEach(Device::unborn);
     publishBirths();
   }
@@ -103,46 +104,56 @@ public final class SparkplugTraffic implements Traffic {
   /** Publishes the births that are due, as far as there is room for them. */
   private void publishBirths() {
     for (Device device : devices.values()) {
-      if (device.isBirthDue() && session.hasRoom()) {
+      if (born && device.isBirthDue() && session.hasRoom()) {
         birth(device);
       }
     }
   }
 
-  private void publish(String type, String device, List<Metric> metrics) {
-    boolean unused = session.publish(message(type, device, metrics), null);
-  }
-
   private Publication message(String type, String device, List<Metric> metrics) {
     String topic = id.topic(type) + (device.isEmpty() ? "" : "/" + device);
-    byte[] payload = Payloads.encode(seq, metrics);
-    seq = (seq + 1) % NUMBERS;
-    return new Publication(topic, payload, 0, false);
+    return new Publication(topic, Payloads.encode(seq, metrics), 0, false);
+  }
+
+  /**
+   * Publishes a message with the next number. A refused message leaves the number to the next one.
+   *
+   * @return whether it was not refused
+   */
+  private boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
+    boolean accepted = session.accepts(message);
+    if (accepted) {
+      seq = (seq + 1) % NUMBERS;
+      boolean unused = session.publish(message, spare);
+    }
+    return accepted;
   }
 
   private void birth(Device device) {
     List<DeviceMetric> unsent = device.takeUnsent();
-    publish(device, "DBIRTH", device.birth(), unsent);
+    if (!publish(device, "DBIRTH", device.birth(), unsent)) {
+      device.unborn();
+    }
   }
 
   /**
    * Publishes values of a device.
    *
    * @param unsent those that are stored if the broker does not get them
+   * @return whether they were not refused
    */
-  private void publish(
+  private boolean publish(
       Device device, String type, List<Metric> metrics, List<DeviceMetric> unsent) {
     // copied now, because the metrics may change before the message is stored
     List<Metric> spare = unsent.stream().map(DeviceMetric::stored).toList();
-    boolean unused =
-        session.publish(
-            message(type, device.name(), metrics),
-            spare.isEmpty() ? null : () -> stored(device, spare));
+    return publish(
+        message(type, device.name(), metrics),
+        spare.isEmpty() ? null : () -> stored(device, spare));
   }
 
   private void death(Device device) {
     if (session.isConnected() && device.isBorn()) {
-      publish("DDEATH", device.name(), List.of());
+      boolean unused = publish(message("DDEATH", device.name(), List.of()), null);
     }
     device.unborn();
   }
@@ -187,14 +198,15 @@ public final class SparkplugTraffic implements Traffic {
   /** Publishes or stores new values; those of a robot without a birth wait for the birth. */
   private void publishNew(Device device) {
     boolean due = device.isBirthDue();
-    if ((due || device.isBorn()) && !session.hasRoom()) {
+    if ((due || device.isBorn()) && !(born && session.hasRoom())) {
       store(device);
     } else if (due) {
       birth(device);
     } else if (device.isBorn()) {
       List<DeviceMetric> unsent = device.takeUnsent();
       if (!unsent.isEmpty()) {
-        publish(device, "DDATA", unsent.stream().map(DeviceMetric::data).toList(), unsent);
+        boolean unused =
+            publish(device, "DDATA", unsent.stream().map(DeviceMetric::data).toList(), unsent);
       }
     }
   }
@@ -218,11 +230,17 @@ public final class SparkplugTraffic implements Traffic {
         death(device);
       }
     }
+    if (!born && session.isConnected()) {
+      connected();
+    }
     publishBirths();
   }
 
   @Override
   public boolean forward(StoredMessage message) {
+    if (!born) {
+      return false;
+    }
     Device device = devices.get(message.topic());
     if (device == null && isConfigured.test(message.topic())) {
       return false; // the gateway is starting the robot
@@ -253,11 +271,20 @@ public final class SparkplugTraffic implements Traffic {
     }
     if (!device.isBorn() || device.isChanged()) {
       birth(device);
-      if (!session.hasRoom()) {
+      if (device.isBorn() && !session.hasRoom()) {
         return false; // after the birth
       }
     }
-    session.publishStored(message("DDATA", device.name(), metrics), message);
+    Publication data = message("DDATA", device.name(), metrics);
+    if (!device.isBorn()) {
+      session.lost("refused", 1);
+      session.skipStored(message);
+    } else if (session.accepts(data)) {
+      seq = (seq + 1) % NUMBERS;
+      session.publishStored(data, message);
+    } else {
+      session.skipStored(message);
+    }
     return true;
   }
 

@@ -310,4 +310,14 @@ class InFlightTest {
     assertThat(inFlight.hasRoomForStored(now)).isTrue();
     assertThat(inFlight.pollDone()).isNotNull();
   }
+
+  @Test
+  void aLimitHoldsUntilTheConnectionIsLost() {
+    inFlight.limit(2);
+
+    assertThat(fill(1)).hasSize(2);
+
+    loseConnection();
+    assertThat(fill(1)).hasSize(16);
+  }
 }

@@ -1,0 +1,104 @@
+package no.hials.crosscom.gateway.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.junit.jupiter.api.Test;
+
+/** Brokers that accept only small packets, or few messages at a time. */
+class SmallPacketsIT extends BrokerTest {
+  private void limitPackets(int bytes) throws Exception {
+    broker = new Mosquitto(folder, "allow_anonymous true\nmax_packet_size " + bytes);
+  }
+
+  @Test
+  void aMessageThatIsTooLargeDoesNotStopTheOthers() throws Exception {
+    limitPackets(200);
+    withLog(
+        lines -> {
+          start(READ_ALL + mqtt(broker));
+          String line = "the broker refuses robots/cell1/$POS_ACT: it has ";
+          await(() -> lines.get().stream().anyMatch(it -> it.contains(line)));
+          try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+            observer.await("robots/cell1/$MODE_OP", "good");
+
+            robot.variables().set("$OV_PRO", "73");
+
+            observer.await("robots/cell1/$OV_PRO", "73");
+            assertThat(observer.on("robots/cell1/$POS_ACT")).isEmpty();
+          }
+        });
+  }
+
+  @Test
+  void aTopicWhoseMessagesAreSometimesTooLargeKeepsTheConnection() throws Exception {
+    limitPackets(150);
+    robot.variables().declare("TEXT[80]", "CHAR", "\"\"");
+    String read = "[groups.all]\nvariables = [\"TEXT[]\"]\nperiod = \"50ms\"\n";
+    withLog(
+        lines -> {
+          start(read + mqtt(broker));
+          try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+            for (int i = 0; i < 5; i++) {
+              double before = figure(gateway, "mqtt_messages_dropped");
+              robot.variables().set("TEXT[]", '"' + "x".repeat(80) + '"');
+              await(() -> figure(gateway, "mqtt_messages_dropped") > before);
+
+              robot.variables().set("TEXT[]", "\"short" + i + '"');
+              observer.await("robots/cell1/TEXT[]", "short" + i);
+            }
+          }
+          assertThat(lines.get())
+              .anyMatch(it -> it.contains("refuses robots/cell1/TEXT[]: it has "))
+              .noneMatch(it -> it.contains("is lost"));
+        });
+  }
+
+  @Test
+  void aDeviceWhoseBirthIsTooLargeIsNotBorn() throws Exception {
+    limitPackets(400);
+    withLog(
+        lines -> {
+          start(READ_ALL + mqtt(broker, "sparkplug-group = \"g\"", "sparkplug-node = \"n\""));
+          try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+            await(
+                () ->
+                    lines.get().stream()
+                        .anyMatch(
+                            it -> it.contains("the broker refuses spBv1.0/g/DBIRTH/n/cell1")));
+            observer.forget();
+            double before = figure(gateway, "mqtt_messages_dropped");
+            await(() -> figure(gateway, "mqtt_messages_dropped") > before + 5);
+
+            assertThat(observer.all()).noneMatch(it -> it.getTopic().toString().contains("cell1"));
+          }
+        });
+  }
+
+  @Test
+  void aBrokerGetsNoMoreMessagesWithQos2ThanItTakesAtATime() throws Exception {
+    broker = Mosquitto.open(folder);
+    String names =
+        IntStream.range(0, 100)
+            .mapToObj(
+                i -> {
+                  robot.variables().declare("COUNT" + i, "INT", "0");
+                  return "\"COUNT" + i + '"';
+                })
+            .collect(Collectors.joining(","));
+    withLog(
+        lines -> {
+          start(
+              "[groups.all]\nvariables = ["
+                  + names
+                  + "]\nperiod = \"500ms\"\n"
+                  + mqtt(broker, "version = 3", "qos = 2"));
+          try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+            observer.await("robots/cell1/COUNT99", "good");
+            await(() -> figure(gateway, "mqtt_messages_published") > 300);
+          }
+          assertThat(lines.get()).noneMatch(it -> it.contains("is lost"));
+        });
+  }
+}

@@ -43,9 +43,13 @@ final class Attempts {
     lastFailure = "";
   }
 
-  /** Called when a connection is lost. */
-  void lost() {
-    if (System.nanoTime() - connectedAt > LAST_DELAY) {
+  /**
+   * Called when a connection is lost.
+   *
+   * @param again whether to connect again soon, since the next connection will be better
+   */
+  void lost(boolean again) {
+    if (again || System.nanoTime() - connectedAt > LAST_DELAY) {
       delay = FIRST_DELAY;
     }
     postpone();

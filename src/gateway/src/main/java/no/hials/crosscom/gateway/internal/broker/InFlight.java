@@ -2,6 +2,8 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -78,6 +80,14 @@ final class InFlight {
   /** Returns after how many bytes the broker is asked whether it has handled them. */
   int bytesPerQuestion() {
     return Math.min(BYTES_PER_QUESTION, window.size() / QUESTIONS);
+  }
+
+  /** Returns the topics of the messages that the broker has not confirmed. */
+  Set<String> topics() {
+    return messages.stream()
+        .filter(one -> !one.done)
+        .map(one -> one.topic)
+        .collect(Collectors.toSet());
   }
 
   /** Sets the maximum number of messages, which is never more than usual. */

@@ -5,9 +5,13 @@ import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.MqttClientSslConfig;
 import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
 import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
+import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
 import java.io.IOException;
 import java.nio.channels.ClosedChannelException;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.TimeUnit;
@@ -28,6 +32,18 @@ interface Link {
 
   /** The maximum time until the broker answers the first message of a connection. */
   int CONNECT_SECONDS = 20;
+
+  /** The reasons of MQTT 5 for which a broker ends a connection that are not about messages. */
+  Set<Mqtt5DisconnectReasonCode> OTHER_REASONS =
+      EnumSet.of(
+          Mqtt5DisconnectReasonCode.SERVER_BUSY,
+          Mqtt5DisconnectReasonCode.SERVER_SHUTTING_DOWN,
+          Mqtt5DisconnectReasonCode.KEEP_ALIVE_TIMEOUT,
+          Mqtt5DisconnectReasonCode.SESSION_TAKEN_OVER,
+          Mqtt5DisconnectReasonCode.USE_ANOTHER_SERVER,
+          Mqtt5DisconnectReasonCode.SERVER_MOVED,
+          Mqtt5DisconnectReasonCode.CONNECTION_RATE_EXCEEDED,
+          Mqtt5DisconnectReasonCode.MAXIMUM_CONNECT_TIME);
 
   /** Connects with a clean session: the broker keeps no messages for this client. */
   CompletableFuture<?> connect();
@@ -143,6 +159,16 @@ interface Link {
     return failure instanceof CompletionException && failure.getCause() != null
         ? failure.getCause()
         : failure;
+  }
+
+  /**
+   * Returns whether the broker may have ended a connection because of a message, and not because it
+   * is shut down, or the client was silent or is connected a second time.
+   */
+  static boolean isEndedByBroker(Throwable failure) {
+    return failure instanceof Mqtt5DisconnectException message
+        ? !OTHER_REASONS.contains(message.getMqttMessage().getReasonCode())
+        : failure instanceof ConnectionClosedException;
   }
 
   /** Returns why a connection was lost or not made. */

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeUnit;
@@ -54,6 +55,7 @@ public final class Session implements AutoCloseable {
   private final InFlight inFlight = new InFlight();
   private final Refusals refusals;
   private final Attempts attempts;
+  private final Culprits culprits;
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
   private boolean connected;
@@ -84,6 +86,7 @@ public final class Session implements AutoCloseable {
     this.folder = folder;
     this.figures = new SessionFigures(health, name);
     this.refusals = new Refusals(name, figures);
+    this.culprits = new Culprits(name);
     this.attempts = new Attempts(name, settings.url());
     this.thread = new Thread(this::loop, "mqtt-" + name);
     thread.setDaemon(true);
@@ -204,9 +207,12 @@ public final class Session implements AutoCloseable {
     int most = link == null ? Integer.MAX_VALUE : link.mostBytes();
     if (message.size() > most) {
       refusals.add(message.topic(), "it has " + message.size() + " bytes, and may have " + most);
-      return false;
+    } else if (culprits.isBlocked(message.topic(), now)) {
+      refusals.add(message.topic(), "it has ended connections");
+    } else {
+      return true;
     }
-    return true;
+    return false;
   }
 
   private void send(Publication message, Outgoing one) {
@@ -220,7 +226,7 @@ public final class Session implements AutoCloseable {
     if (inFlight.isEmpty()) {
       lastAnswer = one.sentAt;
     }
-    inFlight.limit(over.mostInFlight(message.qos()));
+    inFlight.limit(culprits.isSearching(now) ? 1 : over.mostInFlight(message.qos()));
     inFlight.add(one);
     CompletableFuture<?> unused =
         over.publishConfirmed(message, inFlight.bytesPerQuestion())
@@ -235,6 +241,7 @@ public final class Session implements AutoCloseable {
     Throwable cause = Link.cause(failure);
     if (cause == null) {
       figures.published.inc();
+      culprits.confirmed(message.topic());
     } else if (Refusals.isRefusal(cause)) {
       refusals.add(message.topic(), cause);
     } else {
@@ -412,6 +419,7 @@ public final class Session implements AutoCloseable {
     }
     connected = true;
     attempts.connected();
+    culprits.connected(System.nanoTime());
     figures.connected.set(1);
     String stored =
         store().isEmpty() ? "" : ", " + store().size() + " stored messages are forwarded";
@@ -432,13 +440,14 @@ public final class Session implements AutoCloseable {
     figures.connected.set(0);
     // if only the gateway has given up the connection, the broker tells the others that it is over
     CompletableFuture<?> unused = over.disconnectWithWill().exceptionally(ended -> null);
+    Set<String> unconfirmed = inFlight.topics();
     keep();
     if (!was) {
       attempts.failed(reason);
       return;
     }
     LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
-    attempts.lost();
+    attempts.lost(Link.isEndedByBroker(failure) && culprits.ended(unconfirmed, System.nanoTime()));
   }
 
   /** Stores what the broker has not confirmed, and forwards the rest of the store later. */

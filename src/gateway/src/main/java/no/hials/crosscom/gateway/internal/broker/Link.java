@@ -5,7 +5,9 @@ import com.hivemq.client.mqtt.MqttClientBuilder;
 import com.hivemq.client.mqtt.MqttClientSslConfig;
 import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
 import com.hivemq.client.mqtt.exceptions.ConnectionFailedException;
+import com.hivemq.client.mqtt.mqtt3.exceptions.Mqtt3SubAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5SubAckException;
 import com.hivemq.client.mqtt.mqtt5.message.disconnect.Mqtt5DisconnectReasonCode;
 import java.io.IOException;
 import java.nio.channels.ClosedChannelException;
@@ -67,8 +69,12 @@ interface Link {
                     subscribe(one.onlyIf(inUse))
                         .handle(
                             (result, failure) -> {
-                              if (failure != null) {
-                                refused.accept(one.filter(), failure);
+                              Throwable cause = cause(failure);
+                              if (cause instanceof Mqtt3SubAckException
+                                  || cause instanceof Mqtt5SubAckException) {
+                                refused.accept(one.filter(), cause);
+                              } else if (cause != null) {
+                                throw new CompletionException(cause);
                               }
                               return result;
                             }))

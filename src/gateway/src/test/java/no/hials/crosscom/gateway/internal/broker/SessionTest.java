@@ -3,7 +3,11 @@ package no.hials.crosscom.gateway.internal.broker;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import ch.qos.logback.classic.Logger;
+import ch.qos.logback.classic.spi.ILoggingEvent;
+import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -11,6 +15,7 @@ import java.net.Socket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.gateway.Health;
 import org.junit.jupiter.api.AfterEach;
@@ -18,11 +23,16 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.slf4j.LoggerFactory;
 
 /** A session with a broker that stops answering in the middle. */
 @Timeout(30)
 class SessionTest {
   private static final byte[] CONNACK = {0x20, 2, 0, 0};
+  private static final int SUBSCRIBE = 0x82;
+
+  private final Logger logger = (Logger) LoggerFactory.getLogger(Session.class);
+  private final ListAppender<ILoggingEvent> log = new ListAppender<>();
 
   @TempDir private Path folder;
   private ServerSocket broker;
@@ -31,12 +41,16 @@ class SessionTest {
   @BeforeEach
   void listen() throws IOException {
     broker = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
+    log.list = new CopyOnWriteArrayList<>();
+    log.start();
+    logger.addAppender(log);
   }
 
   @AfterEach
   void stop() throws IOException {
     session.close();
     broker.close();
+    logger.detachAppender(log);
   }
 
   /**
@@ -127,6 +141,34 @@ class SessionTest {
       awaitEnd(first);
       broker.accept().close();
     }
+  }
+
+  @Test
+  void itPublishesWithoutARefusedSubscription() throws IOException {
+    start(new Traffic.TopicFilter("set", 1, message -> {}));
+    try (Socket connection = broker.accept()) {
+      connection.getOutputStream().write(CONNACK);
+      InputStream in = connection.getInputStream();
+      int next;
+      do {
+        next = in.read();
+        assertThat(next).isNotNegative();
+      } while (next != SUBSCRIBE);
+      byte[] lengthAndId = in.readNBytes(3);
+      connection
+          .getOutputStream()
+          .write(new byte[] {(byte) 0x90, 3, lengthAndId[1], lengthAndId[2], (byte) 0x80});
+
+      awaitText(connection, "text");
+    }
+    assertThat(refusedSubscriptions()).hasSize(1);
+  }
+
+  private List<String> refusedSubscriptions() {
+    return log.list.stream()
+        .map(ILoggingEvent::getFormattedMessage)
+        .filter(it -> it.contains("refuses to subscribe set"))
+        .toList();
   }
 
   @Test

@@ -14,6 +14,7 @@ import no.hials.crosscom.CrossComClosedException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComTimeoutException;
+import no.hials.crosscom.cell.OtherValueException;
 import no.hials.crosscom.cell.feed.LateWriteException;
 import no.hials.crosscom.cell.feed.RefusedWriteException;
 import no.hials.crosscom.cell.feed.RobotFeed;
@@ -163,6 +164,7 @@ final class RobotWrites {
     } catch (IOException | IllegalArgumentException e) {
       boolean unknown =
           e instanceof InterruptedIOException
+              || e instanceof OtherValueException
               || (e instanceof CrossComException failure && failure.isOutcomeUnknown());
       results
           .labelValues(

@@ -27,6 +27,7 @@ import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
+import no.hials.crosscom.protocol.Tail;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -53,6 +54,7 @@ class RobotWritesTest {
 
   private final AtomicBoolean wanted = new AtomicBoolean(true);
   private final CountDownLatch released = new CountDownLatch(1);
+  private final Health health = new Health();
   private RobotFeed feed;
   private RobotWrites writes;
 
@@ -72,7 +74,7 @@ class RobotWritesTest {
     feed = RobotFeed.open(plant.plans().get(0), RobotConnection::open, (one, updates) -> {});
     writes =
         new RobotWrites(
-            new OneRobotContext(plant, feed, folder, new Health()),
+            new OneRobotContext(plant, feed, folder, health),
             now::get,
             new Pauses(() -> new Moment(pause.get(), wall.get())));
     server.variables().set("MYINT", "1");
@@ -193,6 +195,17 @@ class RobotWritesTest {
         .contains(
             "\"after\":\"3\",\"result\":\"not written: the gateway was frozen for 0.6 s",
             "\"after\":\"5\",\"result\":\"not written: the gateway was frozen for 5.0 s");
+  }
+
+  @Test
+  void aWriteThatTheControllerAnswersWithAnotherValueHasAnUnknownOutcome() throws Exception {
+    server.fault(RecordedRequest::isWrite, Fault.answer("7", Tail.SUCCESS));
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_CommunicationError);
+
+    assertThat(health.counter("opcua_writes", "", "result").labelValues("unknown").get()).isOne();
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("3 was sent, but the answer to the write is 7");
   }
 
   @Test

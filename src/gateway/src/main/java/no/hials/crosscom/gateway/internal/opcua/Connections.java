@@ -22,10 +22,6 @@ import java.util.stream.Collectors;
 import no.hials.crosscom.gateway.Lasting;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
 import org.eclipse.milo.opcua.sdk.server.Session;
-import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultSessionServiceSet;
-import org.eclipse.milo.opcua.stack.core.UaException;
-import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
-import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionResponse;
 import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
 import org.eclipse.milo.opcua.stack.transport.server.tcp.OpcTcpServerTransportConfig;
 import org.jspecify.annotations.Nullable;
@@ -105,31 +101,24 @@ final class Connections {
         : null;
   }
 
-  /** Notes the secure channels of sessions, which only requests tell. */
-  private static final class Sessions extends DefaultSessionServiceSet {
-    Sessions(OpcUaServer server) {
-      super(server);
-    }
-
-    @Override
-    public ActivateSessionResponse onActivateSession(
-        ServiceRequestContext context, ActivateSessionRequest request) throws UaException {
-      ActivateSessionResponse response = super.onActivateSession(context, request);
-      context.getChannel().attr(SECURE_CHANNEL).set(context.getSecureChannel().getChannelId());
-      return response;
-    }
+  /** Called when a session is logged in: only requests have its secure channel. */
+  static void loggedIn(ServiceRequestContext context) {
+    context.getChannel().attr(SECURE_CHANNEL).set(context.getSecureChannel().getChannelId());
   }
 
-  /** Begins to end connections without a session. */
+  /** Begins to end connections without a session, and sessions that are not logged in. */
   void watch(OpcUaServer server) {
-    server.addServiceSet("/", new Sessions(server));
+    LogIns logIns = new LogIns(server, nanoTime);
+    server.addServiceSet("/", logIns);
     checks =
         server
             .getScheduledExecutorService()
-            .scheduleWithFixedDelay(Lasting.task(() -> endUnused(server)), 1, 1, TimeUnit.SECONDS);
+            .scheduleWithFixedDelay(
+                Lasting.task(() -> endUnused(server, logIns)), 1, 1, TimeUnit.SECONDS);
   }
 
-  private void endUnused(OpcUaServer server) {
+  private void endUnused(OpcUaServer server, LogIns logIns) {
+    logIns.endUnused(LONGEST_UNUSED);
     Set<Long> used =
         server.getSessionManager().getAllSessions().stream()
             .filter(session -> session.getIdentity() != null)

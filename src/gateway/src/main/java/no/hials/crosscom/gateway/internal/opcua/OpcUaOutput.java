@@ -247,13 +247,13 @@ final class OpcUaOutput implements Output {
   private final class Sessions implements SessionListener {
     @Override
     public void onSessionCreated(Session session) {
-      sessions.inc();
+      sessions.set(sessions());
       LOG.info("OPC UA: session {} from {}", name(session), session.getClientAddress());
     }
 
     @Override
     public void onSessionClosed(Session session) {
-      sessions.dec();
+      sessions.set(sessions());
       subscriptions.end(session);
       LOG.info("OPC UA: session {} has ended", name(session));
     }
@@ -262,6 +262,14 @@ final class OpcUaOutput implements Output {
   /** Returns the port that it listens on. */
   int port() {
     return port;
+  }
+
+  /**
+   * Returns the number of sessions. Milo does not report one that ends while its diagnostics are
+   * being created.
+   */
+  int sessions() {
+    return server.getSessionManager().getCurrentSessionCount().intValue();
   }
 
   /** Returns the number of nodes of robots. */

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn.Neither;
 
 import java.io.DataInputStream;
@@ -28,7 +29,12 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
+import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
 import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.ApplicationType;
+import org.eclipse.milo.opcua.stack.core.types.structured.ApplicationDescription;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -159,8 +165,7 @@ class ConnectionsTest {
     assertThat(isClosed(hello)).isTrue();
     assertThat(isClosed(channel)).isTrue();
     assertThat(open(later, 600_000)).isEqualTo(600_000);
-    assertThat(client.readValue(0, Neither, NodeIds.Server_ServerStatus_State).statusCode())
-        .isEqualTo(StatusCode.GOOD);
+    assertLoggedIn(client);
 
     client.disconnect();
     now.addAndGet(Duration.ofSeconds(30).toNanos());
@@ -186,6 +191,73 @@ class ConnectionsTest {
     }
     hello("127.0.0.1");
     hello("127.0.0.2");
+  }
+
+  /** Creates a session on the connection of a client, and does not log in. */
+  private void createSession(OpcUaClient client) throws Exception {
+    ApplicationDescription application =
+        new ApplicationDescription(
+            "urn:test", "", LocalizedText.english(""), ApplicationType.Client, null, null, null);
+    CreateSessionRequest request =
+        new CreateSessionRequest(
+            client.newRequestHeader(), application, null, url(), "idle", null, null, 1e9, uint(0));
+    assertThat(client.getTransport().sendRequestMessage(request).get())
+        .isInstanceOf(CreateSessionResponse.class);
+  }
+
+  /** Waits for a number of sessions; the test's timeout is the deadline. */
+  private void awaitSessions(OpcUaClient client, int number) throws Exception {
+    do {
+      assertLoggedIn(client);
+    } while (server.sessions() != number);
+  }
+
+  private static void assertLoggedIn(OpcUaClient client) throws Exception {
+    assertThat(client.readValue(0, Neither, NodeIds.Server_ServerStatus_State).statusCode())
+        .isEqualTo(StatusCode.GOOD);
+  }
+
+  @Test
+  void sessionsThatAreNotLoggedInKeepNobodyOut() throws Exception {
+    OpcUaClient client = OpcUaClient.create(url()).connect();
+    for (int i = 0; i < 200; i++) {
+      createSession(client);
+    }
+    client.disconnect();
+
+    OpcUaClient.create(url()).connect().disconnect();
+  }
+
+  @Test
+  void theOldestSessionThatIsNotLoggedInEndsWhenThereAreTooMany() throws Exception {
+    List<OpcUaClient> clients = new ArrayList<>();
+    for (int i = 0; i < 60; i++) {
+      OpcUaClient client = OpcUaClient.create(url()).connect();
+      clients.add(client);
+      createSession(client);
+    }
+
+    awaitSessions(clients.get(0), 100);
+    for (OpcUaClient client : clients) {
+      assertLoggedIn(client);
+      client.disconnect();
+    }
+  }
+
+  @Test
+  void aSessionThatIsNotLoggedInEndsWithItsConnectionOrAfterSomeTime() throws Exception {
+    OpcUaClient leaving = OpcUaClient.create(url()).connect();
+    createSession(leaving);
+    OpcUaClient staying = OpcUaClient.create(url()).connect();
+    createSession(staying);
+    awaitSessions(staying, 4);
+
+    leaving.disconnect();
+    awaitSessions(staying, 2);
+
+    now.addAndGet(Duration.ofSeconds(31).toNanos());
+    awaitSessions(staying, 1);
+    staying.disconnect();
   }
 
   @Test

@@ -1,0 +1,105 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
+
+import java.time.Duration;
+import java.util.Comparator;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.LongSupplier;
+import java.util.function.Predicate;
+import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
+import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultSessionServiceSet;
+import org.eclipse.milo.opcua.stack.core.UaException;
+import org.eclipse.milo.opcua.stack.core.types.builtin.DateTime;
+import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
+import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.CloseSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
+import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
+
+/**
+ * Ends sessions that are not logged in: Milo counts them as all others, so that a client without a
+ * user could keep out the users. Thread-safe.
+ */
+final class LogIns extends DefaultSessionServiceSet {
+  private final OpcUaServer server;
+  private final LongSupplier nanoTime;
+
+  /** The sessions that are not logged in, by their tokens. */
+  private final Map<NodeId, Waiting> waiting = new ConcurrentHashMap<>();
+
+  /**
+   * A session that is not logged in.
+   *
+   * @param context the request that has created it
+   */
+  private record Waiting(NodeId token, ServiceRequestContext context, long since) {}
+
+  LogIns(OpcUaServer server, LongSupplier nanoTime) {
+    super(server);
+    this.server = server;
+    this.nanoTime = nanoTime;
+  }
+
+  @Override
+  public synchronized CreateSessionResponse onCreateSession(
+      ServiceRequestContext context, CreateSessionRequest request) throws UaException {
+    endAll(it -> it.context().getChannel().equals(context.getChannel()));
+    long limit = server.getConfig().getLimits().getMaxSessions().longValue();
+    while (server.getSessionManager().getCurrentSessionCount().longValue() >= limit
+        && !waiting.isEmpty()) {
+      waiting.values().stream().min(Comparator.comparing(Waiting::since)).ifPresent(this::end);
+    }
+    CreateSessionResponse response = super.onCreateSession(context, request);
+    NodeId token = response.getAuthenticationToken();
+    waiting.put(token, new Waiting(token, context, nanoTime.getAsLong()));
+    return response;
+  }
+
+  @Override
+  public ActivateSessionResponse onActivateSession(
+      ServiceRequestContext context, ActivateSessionRequest request) throws UaException {
+    NodeId token = request.getRequestHeader().getAuthenticationToken();
+    // Milo would keep a session for ever that is ended during its log-in
+    Waiting session = waiting.remove(token);
+    ActivateSessionResponse response;
+    try {
+      response = super.onActivateSession(context, request);
+    } catch (UaException | RuntimeException e) {
+      if (session != null) {
+        waiting.put(token, session);
+      }
+      throw e;
+    }
+    Connections.loggedIn(context);
+    return response;
+  }
+
+  /** Ends the sessions without a connection, and those that wait longer than a time. */
+  void endUnused(Duration longest) {
+    long now = nanoTime.getAsLong();
+    endAll(it -> !it.context().getChannel().isOpen() || now - it.since() > longest.toNanos());
+  }
+
+  private void endAll(Predicate<Waiting> condition) {
+    waiting.values().stream().filter(condition).forEach(this::end);
+  }
+
+  /** Ends a session as if its client did. */
+  private void end(Waiting session) {
+    if (waiting.remove(session.token()) == null) {
+      return;
+    }
+    RequestHeader header =
+        new RequestHeader(session.token(), DateTime.now(), uint(0), uint(0), "", uint(0), null);
+    try {
+      onCloseSession(session.context(), new CloseSessionRequest(header, true));
+    } catch (UaException e) {
+      // its client or its time-out has ended it
+    }
+  }
+}

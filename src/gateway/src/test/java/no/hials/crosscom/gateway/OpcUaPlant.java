@@ -83,6 +83,10 @@ final class OpcUaPlant implements AutoCloseable {
     gateway.apply(read(text));
   }
 
+  Health health() {
+    return gateway.health();
+  }
+
   String url() {
     return "opc.tcp://127.0.0.1:" + port;
   }

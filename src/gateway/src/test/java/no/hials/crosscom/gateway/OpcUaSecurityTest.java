@@ -24,10 +24,16 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClientConfigBuilder;
+import org.eclipse.milo.opcua.sdk.client.identity.IdentityProvider;
+import org.eclipse.milo.opcua.sdk.client.identity.SignedIdentityToken;
 import org.eclipse.milo.opcua.sdk.client.identity.X509IdentityProvider;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
+import org.eclipse.milo.opcua.stack.core.security.SecurityAlgorithm;
 import org.eclipse.milo.opcua.stack.core.security.SecurityPolicy;
+import org.eclipse.milo.opcua.stack.core.types.builtin.ByteString;
+import org.eclipse.milo.opcua.stack.core.types.structured.SignatureData;
+import org.eclipse.milo.opcua.stack.core.types.structured.UserNameIdentityToken;
 import org.eclipse.milo.opcua.stack.core.util.SelfSignedCertificateBuilder;
 import org.eclipse.milo.opcua.stack.core.util.SelfSignedCertificateGenerator;
 import org.junit.jupiter.api.BeforeAll;
@@ -181,6 +187,31 @@ class OpcUaSecurityTest {
                           config.setIdentityProvider(
                               new X509IdentityProvider(other, others.getPrivate()))))
           .isInstanceOf(UaException.class);
+    }
+  }
+
+  @Test
+  void anEmptyPasswordIsRefusedWithAnAnswer() throws Exception {
+    trust();
+    String users = "[opcua.users.vera]\nrole = \"viewer\"\npassword-file = \"password.txt\"";
+    IdentityProvider empty =
+        (endpoint, nonce) ->
+            new SignedIdentityToken(
+                new UserNameIdentityToken(
+                    "username",
+                    "vera",
+                    ByteString.of(new byte[0]),
+                    SecurityAlgorithm.RsaOaepSha1.getUri()),
+                new SignatureData(null, null));
+    try (OpcUaPlant plant = plant(users)) {
+      assertThatThrownBy(
+              () ->
+                  plant.connect(
+                      SecurityPolicy.Basic256Sha256,
+                      withCertificate(config -> config.setIdentityProvider(empty))))
+          .hasMessageContaining("Bad_IdentityTokenInvalid");
+
+      assertThat(plant.health().counter("opcua_logins_refused", "").get()).isOne();
     }
   }
 

@@ -107,8 +107,8 @@ final class Connections {
   }
 
   /** Begins to end connections without a session, and sessions that are not logged in. */
-  void watch(OpcUaServer server) {
-    LogIns logIns = new LogIns(server, nanoTime);
+  void watch(OpcUaServer server, Users users) {
+    LogIns logIns = new LogIns(server, users, nanoTime);
     server.addServiceSet("/", logIns);
     checks =
         server

@@ -10,6 +10,7 @@ import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
 import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultSessionServiceSet;
+import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
 import org.eclipse.milo.opcua.stack.core.types.builtin.DateTime;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
@@ -20,13 +21,15 @@ import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
 import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Ends sessions that are not logged in: Milo counts them as all others, so that a client without a
- * user could keep out the users. Thread-safe.
+ * Answers each log-in, and ends sessions that are not logged in: Milo counts them as all others, so
+ * that a client without a user could keep out the users. Thread-safe.
  */
 final class LogIns extends DefaultSessionServiceSet {
   private final OpcUaServer server;
+  private final Users users;
   private final LongSupplier nanoTime;
 
   /** The sessions that are not logged in, by their tokens. */
@@ -39,9 +42,10 @@ final class LogIns extends DefaultSessionServiceSet {
    */
   private record Waiting(NodeId token, ServiceRequestContext context, long since) {}
 
-  LogIns(OpcUaServer server, LongSupplier nanoTime) {
+  LogIns(OpcUaServer server, Users users, LongSupplier nanoTime) {
     super(server);
     this.server = server;
+    this.users = users;
     this.nanoTime = nanoTime;
   }
 
@@ -69,14 +73,25 @@ final class LogIns extends DefaultSessionServiceSet {
     ActivateSessionResponse response;
     try {
       response = super.onActivateSession(context, request);
-    } catch (UaException | RuntimeException e) {
-      if (session != null) {
-        waiting.put(token, session);
-      }
+    } catch (UaException e) {
+      waitAgain(session);
       throw e;
+    } catch (RuntimeException e) {
+      // Milo would not answer
+      waitAgain(session);
+      users.refuse(
+          context.clientAddress(),
+          "a client with an invalid log-in (" + Users.printable(e.toString()) + ")");
+      throw new UaException(StatusCodes.Bad_IdentityTokenInvalid, e);
     }
     Connections.loggedIn(context);
     return response;
+  }
+
+  private void waitAgain(@Nullable Waiting session) {
+    if (session != null) {
+      waiting.put(session.token(), session);
+    }
   }
 
   /** Ends the sessions without a connection, and those that wait longer than a time. */

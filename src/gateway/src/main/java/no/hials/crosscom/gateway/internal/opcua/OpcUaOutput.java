@@ -106,7 +106,7 @@ final class OpcUaOutput implements Output {
         new OpcUaServer(
             config(), profile -> new OpcTcpServerTransport(connections.transport(executor)));
     protectDiagnostics();
-    connections.watch(server);
+    connections.watch(server, users);
     types = new CompanionTypes(server);
     namespace = new RobotsNamespace(server, types, writes);
     subscriptions = new Subscriptions(server);

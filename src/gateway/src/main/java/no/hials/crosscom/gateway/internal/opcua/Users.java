@@ -3,6 +3,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 import io.prometheus.metrics.core.metrics.Counter;
 import java.io.IOException;
 import java.io.InputStream;
+import java.net.InetAddress;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -179,7 +180,12 @@ final class Users {
   }
 
   private void refuse(Session session, String who) {
+    refuse(session.getClientAddress(), who);
+  }
+
+  /** Counts and logs a refused log-in. */
+  void refuse(InetAddress address, String who) {
     refused.inc();
-    LOG.warn("OPC UA: {} at {} may not log in", who, session.getClientAddress());
+    LOG.warn("OPC UA: {} at {} may not log in", who, address);
   }
 }

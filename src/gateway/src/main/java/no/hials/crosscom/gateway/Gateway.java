@@ -45,6 +45,7 @@ public final class Gateway implements AutoCloseable {
             return thread;
           });
   private volatile Plant plant;
+  private boolean closed;
 
   private Gateway(GatewayConfig config, List<OutputKind<?>> kinds, RobotConnection.Opener opener) {
     this.kinds = List.copyOf(kinds);
@@ -143,11 +144,14 @@ public final class Gateway implements AutoCloseable {
   /**
    * Applies another configuration. Robots and outputs that it does not change are not interrupted.
    * Applying the same configuration again starts the outputs and robots that could not start
-   * before.
+   * before. Has no effect on a closed gateway.
    *
    * @throws IOException if an output or a robot cannot start; the others are as configured
    */
   public synchronized void apply(GatewayConfig config) throws IOException {
+    if (closed) {
+      return;
+    }
     checkThreads();
     plant = config.plant();
     Map<String, PollPlan> plans = new LinkedHashMap<>();
@@ -270,6 +274,7 @@ public final class Gateway implements AutoCloseable {
   /** Stops all readings and outputs. */
   @Override
   public synchronized void close() {
+    closed = true;
     timer.shutdownNow();
     writes.end();
     outputs.values().forEach(one -> one.call(Output::endWrites));

@@ -3,6 +3,7 @@ package no.hials.crosscom.gateway;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -10,6 +11,8 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executors;
+import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
@@ -148,6 +151,8 @@ public final class GatewayMain implements Callable<Integer> {
     if (mocks < 0 || mocks > MAX_MOCKS) {
       throw wrongUsage("--mock must be 1 to " + MAX_MOCKS + ", is " + mocks);
     }
+    // a pipe can be read only once
+    boolean canChange = file != null && Files.isRegularFile(file);
     try (SimulatedRobots simulated = new SimulatedRobots(mocks)) {
       GatewayConfig config = read(simulated.robots());
       print(config.plant());
@@ -161,7 +166,10 @@ public final class GatewayMain implements Callable<Integer> {
       CountDownLatch ended = new CountDownLatch(1);
       Runtime.getRuntime().addShutdownHook(new Thread(() -> stop(end, ended), "stop"));
       try (Gateway gateway = Gateway.start(config, KINDS, simulated::open)) {
-        follow(gateway, config, simulated.robots(), end);
+        if (canChange) {
+          follow(gateway, config, simulated.robots());
+        }
+        end.await();
       } finally {
         ended.countDown();
       }
@@ -183,16 +191,32 @@ public final class GatewayMain implements Callable<Integer> {
     }
   }
 
-  /** Applies changes of the file until the gateway is stopped. */
-  private void follow(
-      Gateway gateway, GatewayConfig first, Map<String, Robot> mocked, CountDownLatch end)
-      throws InterruptedException {
-    ConfigFollower follower = new ConfigFollower(gateway, first, () -> read(mocked));
-    while (!end.await(CHANGE_CHECK_SECONDS, TimeUnit.SECONDS)) {
-      if (follower.check()) {
-        print(gateway.plant());
-      }
+  /** Begins to apply changes of the file, on a thread that the end does not wait for. */
+  private void follow(Gateway gateway, GatewayConfig first, Map<String, Robot> mocked) {
+    ConfigFollower follower = new ConfigFollower(gateway, first, () -> readAgain(mocked));
+    Runnable check =
+        () -> {
+          if (follower.check()) {
+            print(gateway.plant());
+          }
+        };
+    ScheduledFuture<?> unused =
+        Executors.newSingleThreadScheduledExecutor(
+                task -> {
+                  Thread thread = new Thread(task, "config");
+                  thread.setDaemon(true);
+                  return thread;
+                })
+            .scheduleWithFixedDelay(
+                Lasting.task(check), CHANGE_CHECK_SECONDS, CHANGE_CHECK_SECONDS, TimeUnit.SECONDS);
+  }
+
+  private GatewayConfig readAgain(Map<String, Robot> mocked) throws FileException {
+    // anything else could block for ever
+    if (file != null && Files.exists(file) && !Files.isRegularFile(file)) {
+      throw new FileException("cannot read " + file + ": it is not a regular file");
     }
+    return read(mocked);
   }
 
   private void print(Plant plant) {

@@ -1,14 +1,22 @@
 package no.hials.crosscom.gateway;
 
+import static java.nio.file.StandardCopyOption.REPLACE_EXISTING;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -19,6 +27,10 @@ class GatewayMainTest {
   private static final String ROBOT =
       "[robots.cell1]\nhost = \"192.0.2.1\"\nserver = \"kukavarproxy\"\n";
 
+  private static final String PROMETHEUS = "[prometheus]\naddress = \"127.0.0.1:0\"\n";
+  private static final String GROUP = "[groups.all]\nvariables = [\"$OV_PRO\"]\nperiod = \"1s\"\n";
+
+  private final List<Process> processes = new ArrayList<>();
   @TempDir private Path folder;
   private final StringWriter out = new StringWriter();
   private final StringWriter err = new StringWriter();
@@ -129,5 +141,90 @@ class GatewayMainTest {
     assertThat(out.toString())
         .startsWith("mock1: 7 variables every 100 ms and 1000 ms, 11.0 accesses/s, 6 % load")
         .contains("mock2: ");
+  }
+
+  /** Starts a gateway of its own, and waits until it runs. */
+  private Process start(String text) throws IOException, InterruptedException {
+    Path file = Files.writeString(folder.resolve("plant.toml"), text);
+    Process gateway =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("java.class.path"),
+                GatewayMain.class.getName(),
+                "--mock",
+                "1",
+                "--config",
+                file.toString())
+            .redirectErrorStream(true)
+            .redirectOutput(folder.resolve("log").toFile())
+            .start();
+    processes.add(gateway);
+    awaitLog("http://127.0.0.1:");
+    return gateway;
+  }
+
+  /** Waits for a text in the log; the test's timeout is the deadline. */
+  private void awaitLog(String text) throws IOException, InterruptedException {
+    while (!Files.readString(folder.resolve("log")).contains(text)) {
+      if (Thread.interrupted()) {
+        throw new InterruptedException("the log has no " + text);
+      }
+      Thread.onSpinWait();
+    }
+  }
+
+  private Path pipe() throws Exception {
+    Path pipe = folder.resolve("pipe");
+    assertThat(new ProcessBuilder("mkfifo", pipe.toString()).start().waitFor()).isZero();
+    return pipe;
+  }
+
+  @AfterEach
+  void endProcesses() {
+    processes.forEach(Process::destroyForcibly);
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void aPipeInPlaceOfTheFileIsNotRead() throws Exception {
+    Process gateway = start(PROMETHEUS);
+
+    Files.move(pipe(), folder.resolve("plant.toml"), REPLACE_EXISTING);
+    awaitLog("plant.toml: it is not a regular file");
+    Path changed = Files.writeString(folder.resolve("changed"), PROMETHEUS + GROUP);
+    Files.move(changed, folder.resolve("plant.toml"), REPLACE_EXISTING);
+
+    awaitLog("the configuration has changed");
+    gateway.destroy();
+    gateway.waitFor();
+    assertThat(Files.readString(folder.resolve("log"))).containsOnlyOnce("not a regular file");
+  }
+
+  @Test
+  @DisabledOnOs(OS.WINDOWS)
+  void theEndDoesNotWaitForAReadingOfTheConfiguration() throws Exception {
+    Path password = Files.writeString(folder.resolve("password.txt"), "secret");
+    Process gateway =
+        start(
+            PROMETHEUS
+                + """
+                [opcua]
+                address = "127.0.0.1:0"
+                [opcua.users.anna]
+                role = "viewer"
+                password-file = "password.txt"
+                """);
+    Files.move(pipe(), password, REPLACE_EXISTING);
+
+    // opens as soon as the gateway reads it
+    try (OutputStream neverEnding = new FileOutputStream(password.toFile())) {
+      neverEnding.write('s');
+      gateway.destroy();
+      gateway.waitFor();
+    }
+
+    assertThat(Files.readString(folder.resolve("log"))).doesNotContain("did not end within");
   }
 }

@@ -88,6 +88,34 @@ class SmallPacketsIT extends BrokerTest {
   }
 
   @Test
+  void aStoredMessageThatIsTooLargeIsTheOnlyOneThatIsLost() throws Exception {
+    limitPackets(150);
+    robot.variables().declare("TEXT[80]", "CHAR", "\"\"");
+    String read = "[groups.all]\nvariables = [\"TEXT[]\"]\nperiod = \"50ms\"\non-change = true\n";
+    start(read + mqtt(broker, "version = 3"));
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      observer.await("robots/cell1/TEXT[]", "good");
+      broker.kill();
+      await(() -> figure(gateway, "mqtt_connected") == 0);
+      for (String text : new String[] {"first", "x".repeat(80), "last"}) {
+        double before = figure(gateway, "mqtt_messages_stored");
+        robot.variables().set("TEXT[]", '"' + text + '"');
+        await(() -> figure(gateway, "mqtt_messages_stored") > before);
+      }
+    }
+
+    broker.start();
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      await(() -> figure(gateway, "mqtt_messages_dropped") > 0);
+      await(() -> figure(gateway, "mqtt_store_messages") == 0);
+
+      robot.variables().set("TEXT[]", "\"again\"");
+      observer.await("robots/cell1/TEXT[]", "again");
+      assertThat(figure(gateway, "mqtt_messages_dropped")).isEqualTo(1);
+    }
+  }
+
+  @Test
   void aBrokerGetsNoMoreMessagesWithQos2ThanItTakesAtATime() throws Exception {
     broker = Mosquitto.open(folder);
     String names =

@@ -2,48 +2,53 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Finds the topics on which a broker ends the connection, as many brokers do instead of refusing a
- * message that is too large or not allowed. After some connections that the broker has ended soon,
- * messages are sent one at a time until all that were on their way are confirmed. A topic that is
- * alone on its way twice when the connection ends is blocked for a time, which doubles each time.
- * Not thread-safe.
+ * Finds the messages at which a broker ends the connection, as many brokers do instead of refusing
+ * one that is too large or not allowed. After some connections that end soon, messages are sent one
+ * at a time. The one that is on its way at an end becomes a suspect, and waits until a connection
+ * has lasted for some time without suspects. Then the suspects are sent, one at a time: the one at
+ * which this connection ends is blocked for a time, which doubles each time, and is a suspect again
+ * after it. So nothing is blocked because of a bad network. Not thread-safe.
+ *
+ * <p>A message has a name: its topic or, if it was stored, one of its own.
  */
 final class Culprits {
   private static final Logger LOG = LoggerFactory.getLogger(Culprits.class);
 
-  /** The number of connections, one after the other, that the broker ends soon. */
+  /** The number of connections, one after the other, that end soon. */
   private static final int ENDS = 3;
 
-  private static final long SOON = TimeUnit.SECONDS.toNanos(10);
+  /** The number of ends after which the search is given up: the network is bad. */
+  private static final int MOST_ENDS = 60;
+
+  /** The number of further ends without another search, if no connection lasts. */
+  private static final int ENDS_WITHOUT_SEARCH = 1000;
+
+  private static final long LASTING = TimeUnit.SECONDS.toNanos(10);
   private static final long FIRST_BLOCK = TimeUnit.SECONDS.toNanos(10);
   private static final long LONGEST_BLOCK = TimeUnit.MINUTES.toNanos(10);
 
-  /** After this time, messages are no longer sent one at a time. */
-  private static final long LONGEST_SEARCH = TimeUnit.MINUTES.toNanos(5);
-
-  /** The time for which a topic is blocked. */
+  /** The time for which a message is blocked. */
   private record Block(long until, long length) {}
 
   private final String session;
   private final Map<String, Block> blocks = new HashMap<>();
-
-  /** The topics of the messages among which the culprit is. */
   private final Set<String> suspects = new HashSet<>();
 
-  /** The topics that were alone on their way when a connection ended, and not confirmed since. */
-  private final Set<String> alone = new HashSet<>();
+  /** The suspect that is on its way; null if there is none. */
+  private @Nullable String tested;
 
+  /** The number of connections that have ended soon, one after the other. */
   private int ends;
+
   private long connectedAt;
-  private long searchSince;
 
   /**
    * Creates an object without suspects.
@@ -59,63 +64,96 @@ final class Culprits {
     connectedAt = now;
   }
 
-  /** Returns whether messages are sent one at a time. */
-  boolean isSearching(long now) {
-    if (now - searchSince > LONGEST_SEARCH) {
-      suspects.clear();
-    }
-    return !suspects.isEmpty();
+  private boolean lasts(long now) {
+    return now - connectedAt >= LASTING;
   }
 
-  /** Returns whether nothing is published on a topic now. */
-  boolean isBlocked(String topic, long now) {
-    Block block = blocks.get(topic);
+  /** Returns whether messages are sent one at a time. */
+  boolean isSearching(long now) {
+    return ends >= ENDS && !lasts(now);
+  }
+
+  private boolean isSuspect(String name) {
+    return suspects.contains(name) || blocks.containsKey(name);
+  }
+
+  /** Returns whether a message must be sent later. */
+  boolean mustWait(String name, long now) {
+    return isSuspect(name) && !isBlocked(name, now) && (tested != null || !lasts(now));
+  }
+
+  /**
+   * Returns why a message is not sent; empty if it is.
+   *
+   * @param most the maximum size of a packet
+   */
+  String reasonAgainst(Publication message, String name, int most, long now) {
+    if (message.size() > most) {
+      return "it has " + message.size() + " bytes, and may have " + most;
+    }
+    return isBlocked(name, now) || isBlocked(message.topic(), now)
+        ? "it has ended connections"
+        : "";
+  }
+
+  /** Returns whether a message is refused now. */
+  boolean isBlocked(String name, long now) {
+    Block block = blocks.get(name);
     return block != null && now - block.until < 0;
   }
 
+  /** Called when a message is sent. */
+  void sent(String name) {
+    if (isSuspect(name)) {
+      tested = name;
+    }
+  }
+
   /** Called when the broker has a message. */
-  void confirmed(String topic) {
-    suspects.remove(topic);
-    alone.remove(topic);
-    blocks.remove(topic);
+  void confirmed(String name) {
+    suspects.remove(name);
+    blocks.remove(name);
+    if (name.equals(tested)) {
+      tested = null;
+    }
   }
 
   /**
    * Called when the broker has ended a connection.
    *
-   * @param topics the topics of the messages that it has not confirmed
-   * @return whether one of them is blocked now, so that the next connection will be better
+   * @param names the names of the messages that it has not confirmed
+   * @return whether one of them is blocked or waits from now on, so that the next connection will
+   *     be better
    */
-  boolean ended(Set<String> topics, long now) {
-    List<String> culprits = topics.stream().filter(blocks::containsKey).toList();
-    if (culprits.isEmpty() && isSearching(now) && topics.size() == 1) {
-      boolean again = !alone.addAll(topics);
-      if (again || !blocks.isEmpty()) {
-        culprits = List.copyOf(topics);
-      }
-    } else if (culprits.isEmpty() && now - connectedAt < SOON && !topics.isEmpty()) {
-      ends++;
-      if (ends >= ENDS && suspects.isEmpty()) {
-        suspects.addAll(topics);
-        alone.clear();
-        searchSince = now;
-      }
-    } else {
+  boolean ended(Set<String> names, long now) {
+    boolean better = isSearching(now) && names.size() == 1 && suspects.addAll(names);
+    if (lasts(now)) {
       ends = 0;
+    } else if (!names.isEmpty()) {
+      ends++;
     }
-    for (String culprit : culprits) {
-      Block last = blocks.get(culprit);
-      long length = last == null ? FIRST_BLOCK : Math.min(2 * last.length, LONGEST_BLOCK);
-      blocks.put(culprit, new Block(now + length, length));
-      suspects.remove(culprit);
-      ends = ENDS - 1; // the next one is soon found, if there is another
-      LOG.warn(
-          "MQTT {}: the broker ends the connection when it gets {}, perhaps because it is too large"
-              + " or not allowed: nothing is published there for {} s",
-          session,
-          culprit,
-          TimeUnit.NANOSECONDS.toSeconds(length));
+    if (ends > MOST_ENDS) {
+      suspects.clear();
+      ends = -ENDS_WITHOUT_SEARCH;
     }
-    return !culprits.isEmpty();
+    if (tested != null && names.contains(tested)) {
+      block(tested, now);
+      better = true;
+    }
+    tested = null;
+    return better;
+  }
+
+  private void block(String culprit, long now) {
+    Block last = blocks.get(culprit);
+    long length = last == null ? FIRST_BLOCK : Math.min(2 * last.length, LONGEST_BLOCK);
+    blocks.put(culprit, new Block(now + length, length));
+    suspects.remove(culprit);
+    LOG.warn(
+        "MQTT {}: the broker ends the connection when it gets {}, perhaps because it is too large or"
+            + " not allowed: it is refused for {} s",
+        session,
+        culprit,
+        TimeUnit.NANOSECONDS.toSeconds(length));
   }
 }

@@ -82,11 +82,11 @@ final class InFlight {
     return Math.min(BYTES_PER_QUESTION, window.size() / QUESTIONS);
   }
 
-  /** Returns the topics of the messages that the broker has not confirmed. */
-  Set<String> topics() {
+  /** Returns the names of the messages that the broker has not confirmed. */
+  Set<String> names() {
     return messages.stream()
         .filter(one -> !one.done)
-        .map(one -> one.topic)
+        .map(one -> one.name)
         .collect(Collectors.toSet());
   }
 

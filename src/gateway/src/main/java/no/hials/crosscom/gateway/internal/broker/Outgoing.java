@@ -8,8 +8,8 @@ final class Outgoing {
   /** The approximate size of the topic and the headers. */
   private static final int OVERHEAD = 100;
 
-  /** The topic; empty if none is sent. */
-  final String topic;
+  /** Its name for {@link Culprits}; empty if none is sent. */
+  final String name;
 
   /** Goes to the store if the broker does not confirm the message; null to forget it. */
   final @Nullable Supplier<StoredMessage> spare;
@@ -42,7 +42,7 @@ final class Outgoing {
       @Nullable Supplier<StoredMessage> spare,
       @Nullable StoredMessage stored,
       long now) {
-    this.topic = message.topic();
+    this.name = stored == null ? message.topic() : stored.name();
     this.spare = spare;
     this.stored = stored;
     this.bytes = message.payload().remaining() + OVERHEAD;
@@ -51,7 +51,7 @@ final class Outgoing {
 
   /** Creates a stored message that is not published. */
   Outgoing(StoredMessage stored) {
-    this.topic = "";
+    this.name = "";
     this.spare = null;
     this.stored = stored;
     this.bytes = 0;

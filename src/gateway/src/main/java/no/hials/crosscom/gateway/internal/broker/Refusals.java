@@ -44,14 +44,18 @@ final class Refusals {
 
   /** Adds a refusal that the broker or the client has answered. */
   void add(String topic, Throwable cause) {
-    add(topic, reason(cause));
+    boolean unused = add(topic, reason(cause));
   }
 
-  /** Adds a refusal. */
-  void add(String topic, String reason) {
+  /**
+   * Adds a refusal.
+   *
+   * @return false, since the message is not accepted
+   */
+  boolean add(String topic, String reason) {
     figures.dropped("refused", 1);
     if (topics.size() == MAX_TOPICS || !topics.add(topic)) {
-      return;
+      return false;
     }
     LOG.warn(
         "MQTT {}: the broker refuses {}: {}; {}",
@@ -61,6 +65,7 @@ final class Refusals {
         topics.size() < MAX_TOPICS
             ? "further refusals of the topic are only counted"
             : "all further refusals are only counted");
+    return false;
   }
 
   private static String reason(Throwable cause) {

@@ -146,7 +146,8 @@ public final class Session implements AutoCloseable {
    * @return whether it was sent, and not only stored
    */
   public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
-    if (hasRoom() || (connected && spare == null)) {
+    boolean free = connected && (spare == null || hasRoom());
+    if (free && !culprits.mustWait(message.topic(), now)) {
       send(message, new Outgoing(message, spare, null, System.nanoTime()));
       return true;
     }
@@ -161,14 +162,17 @@ public final class Session implements AutoCloseable {
     return connected && inFlight.hasRoom(now);
   }
 
+  /** Returns whether a message of a topic can be sent now; call it only on the thread. */
+  public boolean hasRoom(String topic) {
+    return hasRoom() && !culprits.mustWait(topic, now);
+  }
+
   /** Stores a message, to be forwarded later; call it only on the thread of the session. */
   public void store(StoredMessage message) {
     store().add(message);
   }
 
-  /**
-   * Returns whether stored messages are forwarded now; call it only on the thread of the session.
-   */
+  /** Returns whether stored messages are forwarded now; call it only on the thread. */
   public boolean isForwarding() {
     return forwarding;
   }
@@ -204,20 +208,18 @@ public final class Session implements AutoCloseable {
    * counted and logged as refused. Call it only on the thread of the session.
    */
   public boolean accepts(Publication message) {
+    return accepts(message, message.topic());
+  }
+
+  private boolean accepts(Publication message, String sentAs) {
     int most = link == null ? Integer.MAX_VALUE : link.mostBytes();
-    if (message.size() > most) {
-      refusals.add(message.topic(), "it has " + message.size() + " bytes, and may have " + most);
-    } else if (culprits.isBlocked(message.topic(), now)) {
-      refusals.add(message.topic(), "it has ended connections");
-    } else {
-      return true;
-    }
-    return false;
+    String reason = culprits.reasonAgainst(message, sentAs, most, now);
+    return reason.isEmpty() || refusals.add(message.topic(), reason);
   }
 
   private void send(Publication message, Outgoing one) {
     Link over = Objects.requireNonNull(link);
-    if (!accepts(message)) {
+    if (!accepts(message, one.name)) {
       if (one.stored != null) {
         skipStored(one.stored);
       }
@@ -228,6 +230,7 @@ public final class Session implements AutoCloseable {
     }
     inFlight.limit(culprits.isSearching(now) ? 1 : over.mostInFlight(message.qos()));
     inFlight.add(one);
+    culprits.sent(one.name);
     CompletableFuture<?> unused =
         over.publishConfirmed(message, inFlight.bytesPerQuestion())
             .whenComplete((result, failure) -> run(() -> sent(over, message, one, failure)));
@@ -241,7 +244,7 @@ public final class Session implements AutoCloseable {
     Throwable cause = Link.cause(failure);
     if (cause == null) {
       figures.published.inc();
-      culprits.confirmed(message.topic());
+      culprits.confirmed(one.name);
     } else if (Refusals.isRefusal(cause)) {
       refusals.add(message.topic(), cause);
     } else {
@@ -351,7 +354,7 @@ public final class Session implements AutoCloseable {
         break;
       }
       try {
-        if (!traffic().forward(next)) {
+        if (culprits.mustWait(next.name(), now) || !traffic().forward(next)) {
           store().putBack();
           break;
         }
@@ -440,7 +443,7 @@ public final class Session implements AutoCloseable {
     figures.connected.set(0);
     // if only the gateway has given up the connection, the broker tells the others that it is over
     CompletableFuture<?> unused = over.disconnectWithWill().exceptionally(ended -> null);
-    Set<String> unconfirmed = inFlight.topics();
+    Set<String> unconfirmed = inFlight.names();
     keep();
     if (!was) {
       attempts.failed(reason);

@@ -89,9 +89,9 @@ final class PlainTraffic implements Traffic {
 
   @Override
   public void connected() {
-    retained.add(topics.gateway());
-    session.publish(status("online"), null);
     behind.clear();
+    retained.add(topics.gateway());
+    due.put(topics.gateway(), "online".getBytes(UTF_8));
     due.putAll(current);
     deleteUnused();
   }
@@ -123,8 +123,10 @@ final class PlainTraffic implements Traffic {
     Iterator<Map.Entry<String, byte[]>> waiting = due.entrySet().iterator();
     while (waiting.hasNext() && session.hasRoom()) {
       Map.Entry<String, byte[]> next = waiting.next();
-      waiting.remove();
-      publishRetained(next.getKey(), next.getValue());
+      if (session.hasRoom(next.getKey())) {
+        waiting.remove();
+        publishRetained(next.getKey(), next.getValue());
+      }
     }
   }
 
@@ -224,7 +226,7 @@ final class PlainTraffic implements Traffic {
 
   @Override
   public void closing() {
-    session.publish(status("offline"), null);
+    due.put(topics.gateway(), "offline".getBytes(UTF_8));
     // there is no later time, so the broker gets what it can in the last two seconds
     due.forEach(this::publishRetained);
     due.clear();

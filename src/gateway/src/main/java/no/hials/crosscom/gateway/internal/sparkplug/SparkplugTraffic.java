@@ -104,15 +104,23 @@ public final class SparkplugTraffic implements Traffic {
   /** Publishes the births that are due, as far as there is room for them. */
   private void publishBirths() {
     for (Device device : devices.values()) {
-      if (born && device.isBirthDue() && session.hasRoom()) {
+      if (device.isBirthDue() && hasRoom("DBIRTH", device)) {
         birth(device);
       }
     }
   }
 
+  /** Returns whether a message about a device can be published now. */
+  private boolean hasRoom(String type, Device device) {
+    return born && session.hasRoom(topic(type, device.name()));
+  }
+
+  private String topic(String type, String device) {
+    return id.topic(type) + (device.isEmpty() ? "" : "/" + device);
+  }
+
   private Publication message(String type, String device, List<Metric> metrics) {
-    String topic = id.topic(type) + (device.isEmpty() ? "" : "/" + device);
-    return new Publication(topic, Payloads.encode(seq, metrics), 0, false);
+    return new Publication(topic(type, device), Payloads.encode(seq, metrics), 0, false);
   }
 
   /**
@@ -198,7 +206,7 @@ public final class SparkplugTraffic implements Traffic {
   /** Publishes or stores new values; those of a robot without a birth wait for the birth. */
   private void publishNew(Device device) {
     boolean due = device.isBirthDue();
-    if ((due || device.isBorn()) && !(born && session.hasRoom())) {
+    if ((due || device.isBorn()) && !hasRoom(due ? "DBIRTH" : "DDATA", device)) {
       store(device);
     } else if (due) {
       birth(device);
@@ -270,6 +278,9 @@ public final class SparkplugTraffic implements Traffic {
       return true;
     }
     if (!device.isBorn() || device.isChanged()) {
+      if (!hasRoom("DBIRTH", device)) {
+        return false;
+      }
       birth(device);
       if (device.isBorn() && !session.hasRoom()) {
         return false; // after the birth

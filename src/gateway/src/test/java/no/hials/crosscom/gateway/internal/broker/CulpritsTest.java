@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
@@ -16,52 +17,83 @@ class CulpritsTest {
     now += TimeUnit.SECONDS.toNanos(seconds);
   }
 
+  private void connect() {
+    pass(1);
+    culprits.connected(now);
+  }
+
   /** Connects, and lets the broker end the connection after a second. */
   private boolean end(String... unconfirmed) {
-    culprits.connected(now);
+    connect();
     pass(1);
     return culprits.ended(Set.of(unconfirmed), now);
   }
 
-  /** Lets the broker end connections until messages are sent one at a time. */
   private void startSearch() {
-    while (!culprits.isSearching(now)) {
-      assertThat(end("good", "bad")).isFalse();
+    for (int i = 0; i < 3; i++) {
+      assertThat(end("good", "bad", "worse")).isFalse();
     }
+    assertThat(culprits.isSearching(now)).isTrue();
   }
 
-  private void block() {
+  /** Sends a suspect on a connection that has lasted, and lets the broker end it. */
+  private void endAt(String suspect) {
+    pass(10);
+    assertThat(culprits.mustWait(suspect, now)).isFalse();
+    culprits.sent(suspect);
+    assertThat(culprits.ended(Set.of(suspect, "good"), now)).isTrue();
+  }
+
+  private void block(String suspect) {
     startSearch();
-    assertThat(end("bad")).isFalse();
-    assertThat(end("bad")).isTrue();
+    end(suspect);
+    connect();
+    endAt(suspect);
   }
 
   @Test
-  void aTopicThatIsTwiceAloneIsBlocked() {
-    block();
+  void aSuspectThatEndsALastingConnectionIsBlocked() {
+    startSearch();
+    assertThat(end("bad")).isTrue();
+    connect();
+    assertThat(culprits.mustWait("bad", now)).isTrue();
+    assertThat(culprits.mustWait("good", now)).isFalse();
+
+    endAt("bad");
 
     assertThat(culprits.isBlocked("bad", now)).isTrue();
     assertThat(culprits.isBlocked("good", now)).isFalse();
   }
 
   @Test
-  void aTopicThatIsConfirmedMeanwhileIsNotBlocked() {
+  void severalCulpritsAreTestedOneAfterTheOther() {
     startSearch();
-    assertThat(end("good")).isFalse();
+    end("bad");
+    end("worse");
+    connect();
+    pass(10);
+    culprits.sent("bad");
 
-    culprits.confirmed("good");
+    assertThat(culprits.mustWait("worse", now)).isTrue();
+    assertThat(culprits.ended(Set.of("bad"), now)).isTrue();
 
-    assertThat(end("good")).isFalse();
+    connect();
+    endAt("worse");
   }
 
   @Test
-  void severalCulpritsAreBlockedOneAfterTheOther() {
+  void aSuspectThatIsConfirmedIsNotOneAnyMore() {
     startSearch();
-    assertThat(end("bad")).isFalse();
-    assertThat(end("worse")).isFalse();
+    end("good");
+    connect();
+    pass(10);
+    culprits.sent("good");
 
-    assertThat(end("bad")).isTrue();
-    assertThat(end("worse")).isTrue();
+    culprits.confirmed("good");
+
+    assertThat(culprits.ended(Set.of("good"), now)).isFalse();
+    connect();
+    assertThat(culprits.mustWait("good", now)).isFalse();
   }
 
   @Test
@@ -79,9 +111,9 @@ class CulpritsTest {
   void connectionsThatLastAreNotCounted() {
     end("a");
     end("b");
-    culprits.connected(now);
-    pass(11);
-    culprits.ended(Set.of("a"), now);
+    connect();
+    pass(10);
+    assertThat(culprits.ended(Set.of("a"), now)).isFalse();
 
     end("a");
 
@@ -98,57 +130,64 @@ class CulpritsTest {
   }
 
   @Test
-  void theSearchEndsWhenAllAreConfirmedOrBlocked() {
-    block();
-    assertThat(culprits.isSearching(now)).isTrue();
-
-    culprits.confirmed("good");
-
-    assertThat(culprits.isSearching(now)).isFalse();
-  }
-
-  @Test
-  void theSearchEndsAfterSomeMinutes() {
+  void theSearchEndsWhenAConnectionLasts() {
     startSearch();
+    connect();
+    assertThat(culprits.isSearching(now)).isTrue();
 
-    pass(301);
+    pass(10);
 
     assertThat(culprits.isSearching(now)).isFalse();
   }
 
   @Test
-  void theNextCulpritIsBlockedAtOnce() {
-    block();
-    culprits.confirmed("good");
-    assertThat(end("other", "good")).isFalse();
-    assertThat(culprits.isSearching(now)).isTrue();
+  void aBadNetworkBlocksNothingAndEndsTheSearch() {
+    Random random = new Random(1);
+    for (int i = 0; i < 100; i++) {
+      connect();
+      for (int message = 0; message < random.nextInt(20); message++) {
+        culprits.confirmed("topic" + message);
+      }
+      pass(1);
+      culprits.ended(Set.of("topic" + random.nextInt(20)), now);
+    }
 
-    assertThat(end("other")).isTrue();
-
-    assertThat(culprits.isBlocked("other", now)).isTrue();
+    connect();
+    assertThat(culprits.isSearching(now)).isFalse();
+    for (int topic = 0; topic < 20; topic++) {
+      assertThat(culprits.mustWait("topic" + topic, now)).isFalse();
+      assertThat(culprits.isBlocked("topic" + topic, now)).isFalse();
+    }
   }
 
   @Test
   void aBlockEndsAndIsTwiceAsLongTheNextTime() {
-    block();
-    pass(11);
+    block("bad");
+    connect();
+    assertThat(culprits.mustWait("bad", now)).isFalse(); // it is refused
+    pass(8);
+    assertThat(culprits.isBlocked("bad", now)).isTrue();
+    pass(1);
     assertThat(culprits.isBlocked("bad", now)).isFalse();
+    assertThat(culprits.mustWait("bad", now)).isTrue();
 
-    assertThat(end("bad", "good")).isTrue();
+    endAt("bad");
 
     pass(19);
     assertThat(culprits.isBlocked("bad", now)).isTrue();
-    pass(2);
+    pass(1);
     assertThat(culprits.isBlocked("bad", now)).isFalse();
   }
 
   @Test
   void aConfirmedTopicIsForgotten() {
-    block();
-    pass(11);
+    block("bad");
+    connect();
+    pass(10);
+    culprits.sent("bad");
     culprits.confirmed("bad");
-    culprits.confirmed("good");
 
-    assertThat(end("bad", "good")).isFalse();
+    assertThat(culprits.ended(Set.of("bad", "good"), now)).isFalse();
+    assertThat(culprits.mustWait("bad", now)).isFalse();
   }
 }

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Consumer;
+import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -47,6 +48,12 @@ final class PlainTraffic implements Traffic {
   /** The retained messages that wait for room, by topic; each is the last one of its topic. */
   private final Map<String, byte[]> due = new LinkedHashMap<>();
 
+  /** The configuration of the topics in use; null at the start. */
+  private @Nullable Plant plant;
+
+  /** The topics in use. */
+  private final Set<String> used = new HashSet<>();
+
   /** Whether robots were removed since {@link #deleteUnused}. */
   private boolean mayHaveUnused;
 
@@ -75,6 +82,7 @@ final class PlainTraffic implements Traffic {
 
   @Override
   public Publication will() {
+    takePlant();
     return status("offline");
   }
 
@@ -90,7 +98,6 @@ final class PlainTraffic implements Traffic {
   @Override
   public void connected() {
     behind.clear();
-    retained.add(topics.gateway());
     due.put(topics.gateway(), "online".getBytes(UTF_8));
     due.putAll(current);
     deleteUnused();
@@ -106,16 +113,28 @@ final class PlainTraffic implements Traffic {
   /** Deletes the retained values of robots and variables that are not configured. */
   private void deleteUnused() {
     mayHaveUnused = false;
-    Set<String> used = new HashSet<>();
+    takePlant();
+    current.keySet().retainAll(used);
+    retained.without(used).forEach(topic -> due.put(topic, NOTHING));
+    publishDue();
+  }
+
+  /** Keeps the topics of the current configuration in the file, before they are published. */
+  private void takePlant() {
+    Plant configured = context.plant();
+    if (configured.equals(plant)) {
+      return;
+    }
+    plant = configured;
+    used.clear();
     used.add(topics.gateway());
-    for (PollPlan plan : context.plant().plans()) {
+    for (PollPlan plan : configured.plans()) {
       String robot = plan.robot().name();
       used.add(topics.robot(robot));
       plan.variables().keySet().forEach(key -> used.add(topics.variable(robot, key)));
     }
-    current.keySet().retainAll(used);
-    retained.without(used).forEach(topic -> due.put(topic, NOTHING));
-    publishDue();
+    used.forEach(retained::add);
+    retained.save();
   }
 
   /** Publishes the retained messages that wait, as far as there is room for them. */
@@ -162,6 +181,7 @@ final class PlainTraffic implements Traffic {
 
   /** Adds a robot. */
   void added(RobotFeed robot) {
+    takePlant();
     robots.put(robot, robot.isConnected());
     publishStatus(robot, robot.isConnected());
   }

@@ -1,6 +1,7 @@
 package no.hials.crosscom.gateway.internal.mqtt;
 
 import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -82,6 +83,8 @@ final class RetainedTopics {
       }
     } catch (NoSuchFileException e) {
       // the first run
+    } catch (CharacterCodingException e) {
+      LOG.warn("{} is damaged: values of removed robots may stay in the broker", file);
     }
   }
 

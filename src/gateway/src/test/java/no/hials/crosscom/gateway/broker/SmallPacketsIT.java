@@ -88,6 +88,22 @@ class SmallPacketsIT extends BrokerTest {
   }
 
   @Test
+  void aDeviceWhoseNextBirthIsTooLargeDies() throws Exception {
+    limitPackets(400);
+    String read = "[groups.all]\nvariables = [\"$OV_PRO\", \"LATE\"]\nperiod = \"50ms\"\n";
+    start(read + mqtt(broker, "sparkplug-group = \"g\"", "sparkplug-node = \"n\""));
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      observer.await(
+          all -> all.stream().anyMatch(it -> it.getTopic().toString().contains("DBIRTH")));
+
+      robot.variables().declare("LATE", "E6POS", "{X 1,Y 2,Z 3,A 4,B 5,C 6,S 1,T 1,E1 0,E2 0}");
+
+      observer.await(
+          all -> all.stream().anyMatch(it -> it.getTopic().toString().contains("DDEATH")));
+    }
+  }
+
+  @Test
   void aStoredMessageThatIsTooLargeIsTheOnlyOneThatIsLost() throws Exception {
     limitPackets(150);
     robot.variables().declare("TEXT[80]", "CHAR", "\"\"");

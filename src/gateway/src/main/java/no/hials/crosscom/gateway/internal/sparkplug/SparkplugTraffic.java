@@ -138,9 +138,14 @@ public final class SparkplugTraffic implements Traffic {
   }
 
   private void birth(Device device) {
+    boolean again = device.isBorn();
     List<DeviceMetric> unsent = device.takeUnsent();
     if (!publish(device, "DBIRTH", device.birth(), unsent)) {
       device.unborn();
+      if (again) {
+        // its last birth is not valid any more
+        boolean unused = publish(message("DDEATH", device.name(), List.of()), null);
+      }
     }
   }
 

@@ -31,6 +31,7 @@ final class Culprits {
   /** The number of further ends without another search, if no connection lasts. */
   private static final int ENDS_WITHOUT_SEARCH = 1000;
 
+  private static final long SOON = TimeUnit.SECONDS.toNanos(5);
   private static final long LASTING = TimeUnit.SECONDS.toNanos(10);
   private static final long FIRST_BLOCK = TimeUnit.SECONDS.toNanos(10);
   private static final long LONGEST_BLOCK = TimeUnit.MINUTES.toNanos(10);
@@ -126,8 +127,9 @@ final class Culprits {
    *     be better
    */
   boolean ended(Set<String> names, long now) {
-    boolean better = isSearching(now) && names.size() == 1 && suspects.addAll(names);
-    if (lasts(now)) {
+    boolean searching = isSearching(now);
+    boolean better = searching && names.size() == 1 && suspects.addAll(names);
+    if (now - connectedAt >= (searching ? LASTING : SOON)) {
       ends = 0;
     } else if (!names.isEmpty()) {
       ends++;

@@ -112,7 +112,7 @@ class CulpritsTest {
     end("a");
     end("b");
     connect();
-    pass(10);
+    pass(5);
     assertThat(culprits.ended(Set.of("a"), now)).isFalse();
 
     end("a");

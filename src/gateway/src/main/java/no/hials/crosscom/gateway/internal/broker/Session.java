@@ -119,7 +119,7 @@ public final class Session implements AutoCloseable {
   }
 
   private void publishAnswer(Publication message) {
-    if (hasRoom()) {
+    if (hasRoom(message.topic())) {
       Outgoing answer = new Outgoing(message, null, null, System.nanoTime());
       answer.isAnswer = true;
       send(message, answer);

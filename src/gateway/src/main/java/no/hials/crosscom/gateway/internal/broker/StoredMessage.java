@@ -1,7 +1,6 @@
 package no.hials.crosscom.gateway.internal.broker;
 
 import java.nio.ByteBuffer;
-import java.util.Locale;
 import java.util.zip.CRC32;
 
 /**
@@ -19,6 +18,6 @@ public record StoredMessage(String topic, ByteBuffer payload) {
   String name() {
     CRC32 crc = new CRC32();
     crc.update(payload.duplicate());
-    return String.format(Locale.ROOT, "a stored message of %s (%08x)", topic, crc.getValue());
+    return "a stored message of " + topic + " (" + Long.toHexString(crc.getValue()) + ")";
   }
 }

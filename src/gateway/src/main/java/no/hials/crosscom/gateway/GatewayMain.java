@@ -212,7 +212,7 @@ public final class GatewayMain implements Callable<Integer> {
   }
 
   private GatewayConfig readAgain(Map<String, Robot> mocked) throws FileException {
-    // anything else could block for ever
+    // opening anything else could block without end
     if (file != null && Files.exists(file) && !Files.isRegularFile(file)) {
       throw new FileException("cannot read " + file + ": it is not a regular file");
     }

@@ -68,7 +68,7 @@ final class LogIns extends DefaultSessionServiceSet {
   public ActivateSessionResponse onActivateSession(
       ServiceRequestContext context, ActivateSessionRequest request) throws UaException {
     NodeId token = request.getRequestHeader().getAuthenticationToken();
-    // Milo would keep a session for ever that is ended during its log-in
+    // Milo would never remove a session that is ended during its log-in
     Waiting session = waiting.remove(token);
     ActivateSessionResponse response;
     try {

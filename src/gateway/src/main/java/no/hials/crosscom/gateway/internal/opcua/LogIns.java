@@ -2,12 +2,16 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 
+import java.net.InetAddress;
 import java.time.Duration;
+import java.util.Collections;
 import java.util.Comparator;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
 import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultSessionServiceSet;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
@@ -17,11 +21,11 @@ import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.CloseSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.CloseSessionResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
 import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Answers each log-in, and ends sessions that are not logged in: Milo counts them as all others, so
@@ -56,7 +60,7 @@ final class LogIns extends DefaultSessionServiceSet {
     long limit = server.getConfig().getLimits().getMaxSessions().longValue();
     while (server.getSessionManager().getCurrentSessionCount().longValue() >= limit
         && !waiting.isEmpty()) {
-      waiting.values().stream().min(Comparator.comparing(Waiting::since)).ifPresent(this::end);
+      end(oldestOfMost());
     }
     CreateSessionResponse response = super.onCreateSession(context, request);
     NodeId token = response.getAuthenticationToken();
@@ -64,38 +68,45 @@ final class LogIns extends DefaultSessionServiceSet {
     return response;
   }
 
+  /** Returns the oldest session of the address that has most of those that are not logged in. */
+  private Waiting oldestOfMost() {
+    Map<InetAddress, List<Waiting>> addresses =
+        waiting.values().stream()
+            .collect(Collectors.groupingBy(it -> it.context().clientAddress()));
+    List<Waiting> most = Collections.max(addresses.values(), Comparator.comparing(List::size));
+    return Collections.min(most, Comparator.comparing(Waiting::since));
+  }
+
+  // Milo would never remove a session that is closed during its log-in, so only one runs at a time
+
   @Override
-  public ActivateSessionResponse onActivateSession(
+  public synchronized CloseSessionResponse onCloseSession(
+      ServiceRequestContext context, CloseSessionRequest request) throws UaException {
+    CloseSessionResponse response = super.onCloseSession(context, request);
+    waiting.remove(request.getRequestHeader().getAuthenticationToken());
+    return response;
+  }
+
+  @Override
+  public synchronized ActivateSessionResponse onActivateSession(
       ServiceRequestContext context, ActivateSessionRequest request) throws UaException {
-    NodeId token = request.getRequestHeader().getAuthenticationToken();
-    // Milo would never remove a session that is ended during its log-in
-    Waiting session = waiting.remove(token);
     ActivateSessionResponse response;
     try {
       response = super.onActivateSession(context, request);
-    } catch (UaException e) {
-      waitAgain(session);
-      throw e;
     } catch (RuntimeException e) {
       // Milo would not answer
-      waitAgain(session);
       users.refuse(
           context.clientAddress(),
           "a client with an invalid log-in (" + Users.printable(e.toString()) + ")");
       throw new UaException(StatusCodes.Bad_IdentityTokenInvalid, e);
     }
+    waiting.remove(request.getRequestHeader().getAuthenticationToken());
     Connections.loggedIn(context);
     return response;
   }
 
-  private void waitAgain(@Nullable Waiting session) {
-    if (session != null) {
-      waiting.put(session.token(), session);
-    }
-  }
-
   /** Ends the sessions without a connection, and those that wait longer than a time. */
-  void endUnused(Duration longest) {
+  synchronized void endUnused(Duration longest) {
     long now = nanoTime.getAsLong();
     endAll(it -> !it.context().getChannel().isOpen() || now - it.since() > longest.toNanos());
   }

@@ -11,6 +11,7 @@ import java.security.MessageDigest;
 import java.security.cert.CertificateException;
 import java.security.cert.CertificateFactory;
 import java.security.cert.X509Certificate;
+import java.time.Duration;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -42,8 +43,15 @@ import org.slf4j.LoggerFactory;
 final class Users {
   private static final Logger LOG = LoggerFactory.getLogger(Users.class);
 
+  /** The maximum number of refusals in the log in a time. */
+  private static final int MOST_LINES = 20;
+
+  private static final Duration LINES_TIME = Duration.ofSeconds(10);
+
   private final OpcUaSettings settings;
   private final Counter refused;
+  private long firstLine = System.nanoTime();
+  private int lines;
 
   Users(OpcUaSettings settings, Counter refused) {
     this.settings = settings;
@@ -73,9 +81,9 @@ final class Users {
     }
   }
 
-  /** Returns a text from a client without control characters, so that it is one line in the log. */
+  /** Returns the start of a text from a client without line breaks, for one line in the log. */
   static String printable(String text) {
-    return text.replaceAll("\\p{Cntrl}", "?");
+    return text.substring(0, Math.min(text.length(), 100)).replaceAll("\\p{Cntrl}|\\R", "?");
   }
 
   /** Returns the user of a session. */
@@ -183,9 +191,21 @@ final class Users {
     refuse(session.getClientAddress(), who);
   }
 
-  /** Counts and logs a refused log-in. */
-  void refuse(InetAddress address, String who) {
+  /** Counts a refused log-in, and logs it if there are not too many. */
+  synchronized void refuse(InetAddress address, String who) {
     refused.inc();
-    LOG.warn("OPC UA: {} at {} may not log in", who, address);
+    long now = System.nanoTime();
+    if (now - firstLine > LINES_TIME.toNanos()) {
+      firstLine = now;
+      lines = 0;
+    }
+    lines++;
+    if (lines <= MOST_LINES) {
+      LOG.warn(
+          "OPC UA: {} at {} may not log in{}",
+          who,
+          address,
+          lines < MOST_LINES ? "" : "; further refusals of the next seconds are only counted");
+    }
   }
 }

@@ -15,9 +15,11 @@ import org.slf4j.LoggerFactory;
  * at a time. The one that is on its way at an end becomes a suspect, and waits until a connection
  * has lasted for some time without suspects. Then the suspects are sent, one at a time: the one at
  * which this connection ends is blocked for a time, which doubles each time, and is a suspect again
- * after it. So nothing is blocked because of a bad network. Not thread-safe.
+ * after it. So nothing is blocked because of a network in which no connection lasts. There, the
+ * search is given up after some time. Not thread-safe.
  *
- * <p>A message has a name: its topic or, if it was stored, one of its own.
+ * <p>A message has a name: its topic or, if it was stored, one of its own. One without a name is
+ * never a suspect.
  */
 final class Culprits {
   private static final Logger LOG = LoggerFactory.getLogger(Culprits.class);
@@ -25,14 +27,9 @@ final class Culprits {
   /** The number of connections, one after the other, that end soon. */
   private static final int ENDS = 3;
 
-  /** The number of ends after which the search is given up: the network is bad. */
-  private static final int MOST_ENDS = 60;
-
-  /** The number of further ends without another search, if no connection lasts. */
-  private static final int ENDS_WITHOUT_SEARCH = 1000;
-
-  private static final long SOON = TimeUnit.SECONDS.toNanos(5);
+  private static final long SOON = TimeUnit.SECONDS.toNanos(3);
   private static final long LASTING = TimeUnit.SECONDS.toNanos(10);
+  private static final long LONGEST_SEARCH = TimeUnit.MINUTES.toNanos(2);
   private static final long FIRST_BLOCK = TimeUnit.SECONDS.toNanos(10);
   private static final long LONGEST_BLOCK = TimeUnit.MINUTES.toNanos(10);
 
@@ -50,6 +47,10 @@ final class Culprits {
   private int ends;
 
   private long connectedAt;
+  private long searchSince;
+
+  /** Whether a search has taken too long, and no connection has lasted since. */
+  private boolean givenUp;
 
   /**
    * Creates an object without suspects.
@@ -71,7 +72,7 @@ final class Culprits {
 
   /** Returns whether messages are sent one at a time. */
   boolean isSearching(long now) {
-    return ends >= ENDS && !lasts(now);
+    return ends >= ENDS && !givenUp && !lasts(now);
   }
 
   private boolean isSuspect(String name) {
@@ -129,14 +130,17 @@ final class Culprits {
   boolean ended(Set<String> names, long now) {
     boolean searching = isSearching(now);
     boolean better = searching && names.size() == 1 && suspects.addAll(names);
+    givenUp &= !lasts(now);
     if (now - connectedAt >= (searching ? LASTING : SOON)) {
       ends = 0;
     } else if (!names.isEmpty()) {
       ends++;
     }
-    if (ends > MOST_ENDS) {
+    if (ends < ENDS) {
+      searchSince = now;
+    } else if (now - searchSince > LONGEST_SEARCH && !givenUp) {
+      givenUp = true;
       suspects.clear();
-      ends = -ENDS_WITHOUT_SEARCH;
     }
     if (tested != null && names.contains(tested)) {
       block(tested, now);

@@ -85,7 +85,7 @@ final class InFlight {
   /** Returns the names of the messages that the broker has not confirmed. */
   Set<String> names() {
     return messages.stream()
-        .filter(one -> !one.done)
+        .filter(one -> !one.done && !one.name.isEmpty())
         .map(one -> one.name)
         .collect(Collectors.toSet());
   }

@@ -8,8 +8,8 @@ final class Outgoing {
   /** The approximate size of the topic and the headers. */
   private static final int OVERHEAD = 100;
 
-  /** Its name for {@link Culprits}; empty if none is sent. */
-  final String name;
+  /** Its name for {@link Culprits}; empty if it has none. */
+  String name;
 
   /** Goes to the store if the broker does not confirm the message; null to forget it. */
   final @Nullable Supplier<StoredMessage> spare;

@@ -23,6 +23,7 @@ final class Refusals {
 
   private final String session;
   private final SessionFigures figures;
+  private final Culprits culprits;
   private final Set<String> topics = new HashSet<>();
 
   /**
@@ -30,8 +31,9 @@ final class Refusals {
    *
    * @param session the name of the session
    */
-  Refusals(String session, SessionFigures figures) {
+  Refusals(String session, SessionFigures figures, Culprits culprits) {
     this.session = session;
+    this.culprits = culprits;
     this.figures = figures;
   }
 
@@ -44,18 +46,28 @@ final class Refusals {
 
   /** Adds a refusal that the broker or the client has answered. */
   void add(String topic, Throwable cause) {
-    boolean unused = add(topic, reason(cause));
+    add(topic, reason(cause));
   }
 
   /**
-   * Adds a refusal.
+   * Returns whether a message is sent. If not, adds a refusal.
    *
-   * @return false, since the message is not accepted
+   * @param name its name for {@link Culprits}
    */
-  boolean add(String topic, String reason) {
+  boolean accept(Publication message, String name, @Nullable Link link, long now) {
+    int most = link == null ? Integer.MAX_VALUE : link.mostBytes();
+    String reason = culprits.reasonAgainst(message, name, most, now);
+    if (!reason.isEmpty()) {
+      add(message.topic(), reason);
+    }
+    return reason.isEmpty();
+  }
+
+  /** Adds a refusal. */
+  private void add(String topic, String reason) {
     figures.dropped("refused", 1);
     if (topics.size() == MAX_TOPICS || !topics.add(topic)) {
-      return false;
+      return;
     }
     LOG.warn(
         "MQTT {}: the broker refuses {}: {}; {}",
@@ -65,7 +77,6 @@ final class Refusals {
         topics.size() < MAX_TOPICS
             ? "further refusals of the topic are only counted"
             : "all further refusals are only counted");
-    return false;
   }
 
   private static String reason(Throwable cause) {

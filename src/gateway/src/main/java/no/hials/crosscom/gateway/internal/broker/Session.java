@@ -85,8 +85,8 @@ public final class Session implements AutoCloseable {
     this.name = name;
     this.folder = folder;
     this.figures = new SessionFigures(health, name);
-    this.refusals = new Refusals(name, figures);
     this.culprits = new Culprits(name);
+    this.refusals = new Refusals(name, figures, culprits);
     this.attempts = new Attempts(name, settings.url());
     this.thread = new Thread(this::loop, "mqtt-" + name);
     thread.setDaemon(true);
@@ -119,13 +119,19 @@ public final class Session implements AutoCloseable {
   }
 
   private void publishAnswer(Publication message) {
-    if (hasRoom(message.topic())) {
-      Outgoing answer = new Outgoing(message, null, null, System.nanoTime());
-      answer.isAnswer = true;
-      send(message, answer);
+    if (hasRoom()) {
+      publishNow(message, true);
     } else if (connected) {
       figures.dropped("queue", 1);
     }
+  }
+
+  /** Publishes a message at once, whatever holds others back; only while it is connected. */
+  public void publishNow(Publication message, boolean isAnswer) {
+    Outgoing one = new Outgoing(message, null, null, System.nanoTime());
+    one.isAnswer = isAnswer;
+    one.name = "";
+    send(message, one);
   }
 
   /** Runs a task on the thread of the session soon, whether there is room or not. */
@@ -208,18 +214,12 @@ public final class Session implements AutoCloseable {
    * counted and logged as refused. Call it only on the thread of the session.
    */
   public boolean accepts(Publication message) {
-    return accepts(message, message.topic());
-  }
-
-  private boolean accepts(Publication message, String sentAs) {
-    int most = link == null ? Integer.MAX_VALUE : link.mostBytes();
-    String reason = culprits.reasonAgainst(message, sentAs, most, now);
-    return reason.isEmpty() || refusals.add(message.topic(), reason);
+    return refusals.accept(message, message.topic(), link, now);
   }
 
   private void send(Publication message, Outgoing one) {
     Link over = Objects.requireNonNull(link);
-    if (!accepts(message, one.name)) {
+    if (!refusals.accept(message, one.name, link, now)) {
       if (one.stored != null) {
         skipStored(one.stored);
       }
@@ -244,13 +244,13 @@ public final class Session implements AutoCloseable {
     Throwable cause = Link.cause(failure);
     if (cause == null) {
       figures.published.inc();
-      culprits.confirmed(one.name);
     } else if (Refusals.isRefusal(cause)) {
       refusals.add(message.topic(), cause);
     } else {
       lost(over, cause);
       return;
     }
+    culprits.confirmed(one.name);
     traffic().confirmed(message);
     inFlight.done(one, lastAnswer);
     confirm();

@@ -96,7 +96,7 @@ public final class SparkplugTraffic implements Traffic {
     seq = 0;
     Metric rebirth =
         Payloads.metric(new Metric.MetricBuilder(REBIRTH, MetricDataType.Boolean, false));
-    born = publish(message("NBIRTH", "", List.of(bdSeq(), rebirth)), null);
+    born = publishNow(message("NBIRTH", "", List.of(bdSeq(), rebirth)));
     devices.values().forEach(Device::unborn);
     publishBirths();
   }
@@ -129,10 +129,25 @@ public final class SparkplugTraffic implements Traffic {
    * @return whether it was not refused
    */
   private boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
-    boolean accepted = session.accepts(message);
+    boolean accepted = isNext(message);
     if (accepted) {
-      seq = (seq + 1) % NUMBERS;
       boolean unused = session.publish(message, spare);
+    }
+    return accepted;
+  }
+
+  /** Returns whether a message is accepted. If so, it gets the number. */
+  private boolean isNext(Publication message) {
+    boolean accepted = session.accepts(message);
+    seq = accepted ? (seq + 1) % NUMBERS : seq;
+    return accepted;
+  }
+
+  /** Publishes a message without which others are not valid, with the next number. */
+  private boolean publishNow(Publication message) {
+    boolean accepted = isNext(message);
+    if (accepted) {
+      session.publishNow(message, false);
     }
     return accepted;
   }
@@ -144,7 +159,7 @@ public final class SparkplugTraffic implements Traffic {
       device.unborn();
       if (again) {
         // its last birth is not valid any more
-        boolean unused = publish(message("DDEATH", device.name(), List.of()), null);
+        boolean unused = publishNow(message("DDEATH", device.name(), List.of()));
       }
     }
   }
@@ -166,7 +181,7 @@ public final class SparkplugTraffic implements Traffic {
 
   private void death(Device device) {
     if (session.isConnected() && device.isBorn()) {
-      boolean unused = publish(message("DDEATH", device.name(), List.of()), null);
+      boolean unused = publishNow(message("DDEATH", device.name(), List.of()));
     }
     device.unborn();
   }
@@ -295,8 +310,7 @@ public final class SparkplugTraffic implements Traffic {
     if (!device.isBorn()) {
       session.lost("refused", 1);
       session.skipStored(message);
-    } else if (session.accepts(data)) {
-      seq = (seq + 1) % NUMBERS;
+    } else if (isNext(data)) {
       session.publishStored(data, message);
     } else {
       session.skipStored(message);
@@ -313,11 +327,9 @@ public final class SparkplugTraffic implements Traffic {
   public void closing() {
     devices.values().forEach(this::store);
     if (session.isConnected()) {
-      boolean unused =
-          session.publish(
-              new Publication(
-                  id.topic("NDEATH"), Payloads.encode(null, List.of(bdSeq())), 0, false),
-              null);
+      session.publishNow(
+          new Publication(id.topic("NDEATH"), Payloads.encode(null, List.of(bdSeq())), 0, false),
+          false);
     }
   }
 

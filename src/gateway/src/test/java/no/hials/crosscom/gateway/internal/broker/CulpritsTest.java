@@ -143,7 +143,7 @@ class CulpritsTest {
   @Test
   void aBadNetworkBlocksNothingAndEndsTheSearch() {
     Random random = new Random(1);
-    for (int i = 0; i < 100; i++) {
+    for (int i = 0; i < 70; i++) {
       connect();
       for (int message = 0; message < random.nextInt(20); message++) {
         culprits.confirmed("topic" + message);

@@ -16,7 +16,7 @@ class RefusalsTest {
   private final Logger logger = (Logger) LoggerFactory.getLogger(Refusals.class);
   private final ListAppender<ILoggingEvent> lines = new ListAppender<>();
   private final Refusals refusals =
-      new Refusals("plain", new SessionFigures(new Health(), "plain"));
+      new Refusals("plain", new SessionFigures(new Health(), "plain"), new Culprits("plain"));
 
   @BeforeEach
   void listen() {

@@ -246,7 +246,10 @@ final class PlainTraffic implements Traffic {
 
   @Override
   public void closing() {
-    due.put(topics.gateway(), "offline".getBytes(UTF_8));
+    due.remove(topics.gateway());
+    if (session.isConnected()) {
+      session.publishNow(status("offline"), false);
+    }
     // there is no later time, so the broker gets what it can in the last two seconds
     due.forEach(this::publishRetained);
     due.clear();

@@ -32,7 +32,7 @@ import org.slf4j.LoggerFactory;
 /** A gateway with one simulated robot, and a broker. */
 @Timeout(60)
 abstract class BrokerTest {
-  private static final long PATIENCE = Duration.ofSeconds(20).toNanos();
+  private static final long PATIENCE = Duration.ofSeconds(40).toNanos();
   private static final List<OutputKind<?>> KINDS = List.of(new MqttKind());
 
   static final String READ_ALL =

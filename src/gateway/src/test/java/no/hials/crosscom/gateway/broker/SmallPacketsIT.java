@@ -23,7 +23,9 @@ class SmallPacketsIT extends BrokerTest {
     limitPackets(200);
     withLog(
         lines -> {
-          start(READ_ALL + mqtt(broker, "version = " + version));
+          // only one that is too large: each takes 10 s to find
+          String read = READ_ALL.replace(", \"NOSUCH\"", "");
+          start(read + mqtt(broker, "version = " + version));
           await(() -> lines.get().stream().anyMatch(it -> it.contains(line)));
           try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
             observer.await("robots/cell1/$MODE_OP", "good");

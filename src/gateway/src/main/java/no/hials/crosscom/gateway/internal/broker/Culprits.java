@@ -40,7 +40,7 @@ final class Culprits {
   private final Map<String, Block> blocks = new HashMap<>();
   private final Set<String> suspects = new HashSet<>();
 
-  /** The suspect that is on its way; null if there is none. */
+  /** The suspect that was sent and is not confirmed; null if none was. */
   private @Nullable String tested;
 
   /** The number of connections that have ended soon, one after the other. */
@@ -82,6 +82,12 @@ final class Culprits {
   /** Returns whether a message must be sent later. */
   boolean mustWait(String name, long now) {
     return isSuspect(name) && !isBlocked(name, now) && (tested != null || !lasts(now));
+  }
+
+  /** Returns whether a stored message must be sent later. Its name is needed only with suspects. */
+  boolean mustWait(StoredMessage message, long now) {
+    boolean hasSuspects = !suspects.isEmpty() || !blocks.isEmpty();
+    return hasSuspects && mustWait(message.name(), now);
   }
 
   /**

@@ -354,7 +354,7 @@ public final class Session implements AutoCloseable {
         break;
       }
       try {
-        if (culprits.mustWait(next.name(), now) || !traffic().forward(next)) {
+        if (culprits.mustWait(next, now) || !traffic().forward(next)) {
           store().putBack();
           break;
         }

@@ -215,8 +215,8 @@ final class PlainTraffic implements Traffic {
   @Override
   public boolean forward(StoredMessage message) {
     publishDue();
-    if (!due.isEmpty()) {
-      return false; // current values first
+    if (!due.isEmpty() || !session.hasRoom()) {
+      return false; // current values first, and they may have taken the room
     }
     behind.add(message.topic());
     session.publishStored(

@@ -291,8 +291,8 @@ public final class SparkplugTraffic implements Traffic {
         }
       }
     }
-    session.lost("type", otherTypes);
     if (device == null || metrics.isEmpty()) {
+      session.lost("type", otherTypes);
       session.lost("unknown", otherTypes > 0 ? 0 : 1);
       session.skipStored(message);
       return true;
@@ -306,6 +306,7 @@ public final class SparkplugTraffic implements Traffic {
         return false; // after the birth
       }
     }
+    session.lost("type", otherTypes);
     Publication data = message("DDATA", device.name(), metrics);
     if (!device.isBorn()) {
       session.lost("refused", 1);

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn.Neither;
 
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -29,12 +31,24 @@ import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
+import org.eclipse.milo.opcua.stack.core.encoding.DefaultEncodingContext;
+import org.eclipse.milo.opcua.stack.core.encoding.binary.OpcUaBinaryDecoder;
+import org.eclipse.milo.opcua.stack.core.encoding.binary.OpcUaBinaryEncoder;
+import org.eclipse.milo.opcua.stack.core.types.UaRequestMessageType;
+import org.eclipse.milo.opcua.stack.core.types.UaResponseMessageType;
+import org.eclipse.milo.opcua.stack.core.types.builtin.DateTime;
+import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
 import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
+import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
 import org.eclipse.milo.opcua.stack.core.types.enumerated.ApplicationType;
+import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.AnonymousIdentityToken;
 import org.eclipse.milo.opcua.stack.core.types.structured.ApplicationDescription;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
+import org.eclipse.milo.opcua.stack.core.types.structured.SignatureData;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -108,7 +122,7 @@ class ConnectionsTest {
     DataInputStream in = new DataInputStream(socket.getInputStream());
     byte[] header = in.readNBytes(8);
     int answer = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN).getInt(4);
-    assertThat(new String(header, 0, 3, US_ASCII)).isIn("ACK", "OPN");
+    assertThat(new String(header, 0, 3, US_ASCII)).isIn("ACK", "OPN", "MSG");
     return ByteBuffer.wrap(in.readNBytes(answer - 8)).order(ByteOrder.LITTLE_ENDIAN);
   }
 
@@ -122,8 +136,8 @@ class ConnectionsTest {
     return socket;
   }
 
-  /** Opens a secure channel, and returns its lifetime in ms. */
-  private static int open(Socket socket, int lifetime) throws IOException {
+  /** Opens a secure channel without security. */
+  private static Channel open(Socket socket, int lifetime) throws IOException {
     ByteBuffer open = message("OPNF").putInt(0);
     putText(open, POLICY);
     // no certificates; the sequence number, the request id and the type of the request
@@ -140,7 +154,35 @@ class ConnectionsTest {
     // protocol, issue, no security, no nonce
     open.putInt(0).putInt(0).putInt(1).putInt(-1).putInt(lifetime);
     ByteBuffer answer = exchange(socket, open);
-    return answer.getInt(answer.limit() - 8);
+    int end = answer.limit();
+    return new Channel(
+        socket, answer.getInt(end - 24), answer.getInt(end - 20), answer.getInt(end - 8));
+  }
+
+  /**
+   * A secure channel.
+   *
+   * @param lifetime in ms
+   */
+  private record Channel(Socket socket, int id, int token, int lifetime) {
+    /**
+     * Sends a request, and returns the answer.
+     *
+     * @param number the number of the message on the channel; it is opened with 1
+     */
+    UaResponseMessageType send(int number, UaRequestMessageType request) throws IOException {
+      ByteBuffer message = message("MSGF").putInt(id).putInt(token).putInt(number).putInt(number);
+      ByteBuf body = Unpooled.buffer();
+      new OpcUaBinaryEncoder(DefaultEncodingContext.INSTANCE)
+          .setBuffer(body)
+          .encodeMessage(null, request);
+      message.put(body.nioBuffer());
+      ByteBuffer answer = exchange(socket, message).position(16);
+      return (UaResponseMessageType)
+          new OpcUaBinaryDecoder(DefaultEncodingContext.INSTANCE)
+              .setBuffer(Unpooled.wrappedBuffer(answer))
+              .decodeMessage(null);
+    }
   }
 
   private static boolean isClosed(Socket socket) throws IOException {
@@ -164,7 +206,7 @@ class ConnectionsTest {
 
     assertThat(isClosed(hello)).isTrue();
     assertThat(isClosed(channel)).isTrue();
-    assertThat(open(later, 600_000)).isEqualTo(600_000);
+    assertThat(open(later, 600_000).lifetime()).isEqualTo(600_000);
     assertLoggedIn(client);
 
     client.disconnect();
@@ -193,16 +235,30 @@ class ConnectionsTest {
     hello("127.0.0.2");
   }
 
-  /** Creates a session on the connection of a client, and does not log in. */
-  private void createSession(OpcUaClient client) throws Exception {
+  private CreateSessionRequest createSession(RequestHeader header) {
     ApplicationDescription application =
         new ApplicationDescription(
             "urn:test", "", LocalizedText.english(""), ApplicationType.Client, null, null, null);
-    CreateSessionRequest request =
-        new CreateSessionRequest(
-            client.newRequestHeader(), application, null, url(), "idle", null, null, 1e9, uint(0));
+    return new CreateSessionRequest(
+        header, application, null, url(), "idle", null, null, 1e9, uint(0));
+  }
+
+  /** Creates a session on the connection of a client, and does not log in. */
+  private void createSession(OpcUaClient client) throws Exception {
+    CreateSessionRequest request = createSession(client.newRequestHeader());
     assertThat(client.getTransport().sendRequestMessage(request).get())
         .isInstanceOf(CreateSessionResponse.class);
+  }
+
+  private static RequestHeader header(NodeId session) {
+    return new RequestHeader(session, DateTime.now(), uint(1), uint(0), "", uint(0), null);
+  }
+
+  /** Creates a session on a connection of its own, and returns its token. */
+  private NodeId createSession(Channel channel) throws IOException {
+    CreateSessionResponse created =
+        (CreateSessionResponse) channel.send(2, createSession(header(NodeId.NULL_VALUE)));
+    return created.getAuthenticationToken();
   }
 
   /** Waits for a number of sessions; the test's timeout is the deadline. */
@@ -245,6 +301,29 @@ class ConnectionsTest {
   }
 
   @Test
+  void manySessionsOfOneAddressDoNotEndThatOfAnother() throws Exception {
+    Channel slow = open(hello("127.0.0.2"), 600_000);
+    NodeId session = createSession(slow);
+    for (int i = 0; i < 100; i++) {
+      createSession(open(hello("127.0.0.1"), 600_000));
+    }
+
+    UaResponseMessageType answer =
+        slow.send(
+            3,
+            new ActivateSessionRequest(
+                header(session),
+                new SignatureData(null, null),
+                null,
+                null,
+                ExtensionObject.encode(
+                    DefaultEncodingContext.INSTANCE, new AnonymousIdentityToken("anonymous")),
+                new SignatureData(null, null)));
+
+    assertThat(answer.getResponseHeader().getServiceResult()).isEqualTo(StatusCode.GOOD);
+  }
+
+  @Test
   void aSessionThatIsNotLoggedInEndsWithItsConnectionOrAfterSomeTime() throws Exception {
     OpcUaClient leaving = OpcUaClient.create(url()).connect();
     createSession(leaving);
@@ -262,6 +341,6 @@ class ConnectionsTest {
 
   @Test
   void aSecureChannelMustBeRenewedAfterAnHour() throws Exception {
-    assertThat(open(hello("127.0.0.1"), Integer.MAX_VALUE)).isEqualTo(3_600_000);
+    assertThat(open(hello("127.0.0.1"), Integer.MAX_VALUE).lifetime()).isEqualTo(3_600_000);
   }
 }

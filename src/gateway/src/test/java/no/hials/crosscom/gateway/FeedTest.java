@@ -3,9 +3,6 @@ package no.hials.crosscom.gateway;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -52,7 +49,6 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.slf4j.LoggerFactory;
 
 /** The readings of one robot, and the writes to it. */
 @Timeout(60)
@@ -486,20 +482,13 @@ class FeedTest {
   void aLineThatTheDiskDoesNotTakeIsLogged() throws Exception {
     start("variables = [\"MYINT\"]", WRITABLE);
     Path noFolder = Files.writeString(folder.resolve("file"), "");
-    ListAppender<ILoggingEvent> lines = new ListAppender<>();
-    Logger logger = (Logger) LoggerFactory.getLogger(AuditLog.class);
-    lines.start();
-    logger.addAppender(lines);
-    try {
+    try (LogLines lines = LogLines.of(AuditLog.class)) {
       new Writes(new AuditLog(noFolder)).write("mqtt:plc", plant, feed, "MYINT", "42", SOON);
-    } finally {
-      logger.detachAppender(lines);
-    }
 
-    assertThat(lines.list)
-        .singleElement()
-        .extracting(ILoggingEvent::getFormattedMessage)
-        .asString()
-        .contains("\"who\":\"mqtt:plc\"", "\"after\":\"42\",\"result\":\"done\"");
+      assertThat(lines.get())
+          .singleElement()
+          .asString()
+          .contains("\"who\":\"mqtt:plc\"", "\"after\":\"42\",\"result\":\"done\"");
+    }
   }
 }

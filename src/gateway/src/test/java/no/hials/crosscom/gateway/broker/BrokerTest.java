@@ -1,8 +1,5 @@
 package no.hials.crosscom.gateway.broker;
 
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import io.prometheus.metrics.model.snapshots.CounterSnapshot;
 import io.prometheus.metrics.model.snapshots.GaugeSnapshot;
 import io.prometheus.metrics.model.snapshots.MetricSnapshot;
@@ -11,14 +8,13 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.gateway.Gateway;
 import no.hials.crosscom.gateway.GatewayConfig;
+import no.hials.crosscom.gateway.LogLines;
 import no.hials.crosscom.gateway.OutputKind;
 import no.hials.crosscom.gateway.internal.mqtt.MqttKind;
 import no.hials.crosscom.mock.MockServer;
@@ -27,7 +23,6 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.slf4j.LoggerFactory;
 
 /** A gateway with one simulated robot, and a broker. */
 @Timeout(60)
@@ -44,6 +39,9 @@ abstract class BrokerTest {
 
   @KukaController MockServer robot;
   @TempDir Path folder;
+
+  /** What the gateway logs during the test. */
+  final LogLines lines = LogLines.ofGateway();
 
   @Nullable Gateway gateway;
   @Nullable Mosquitto broker;
@@ -119,28 +117,9 @@ abstract class BrokerTest {
     }
   }
 
-  /** Calls a test with the lines that the gateway logs. */
-  static void withLog(LogTest test) throws Exception {
-    ListAppender<ILoggingEvent> log = new ListAppender<>();
-    Logger logger = (Logger) LoggerFactory.getLogger("no.hials.crosscom.gateway");
-    log.list = new CopyOnWriteArrayList<>();
-    log.start();
-    logger.addAppender(log);
-    try {
-      test.run(() -> log.list.stream().map(ILoggingEvent::getFormattedMessage).toList());
-    } finally {
-      logger.detachAppender(log);
-    }
-  }
-
-  /** A test of lines in the log. */
-  @FunctionalInterface
-  interface LogTest {
-    void run(Supplier<List<String>> lines) throws Exception;
-  }
-
   @AfterEach
   void close() {
+    lines.close();
     if (gateway != null) {
       gateway.close();
     }

@@ -108,17 +108,14 @@ class LoginIT extends BrokerTest {
             folder,
             "max_queued_messages 1000\nallow_anonymous true\nuser root\nacl_file "
                 + folder.resolve("acl"));
-    withLog(
-        lines -> {
-          Gateway running = start(READ_ALL + mqtt(broker));
-          await(() -> figure(running, "mqtt_messages_dropped") > 50);
+    Gateway running = start(READ_ALL + mqtt(broker));
+    await(() -> figure(running, "mqtt_messages_dropped") > 50);
 
-          assertThat(lines.get())
-              .filteredOn(it -> it.contains("$OV_PRO"))
-              .containsExactly(
-                  "MQTT plain: the broker refuses robots/cell1/$OV_PRO: not authorized; further"
-                      + " refusals of the topic are only counted");
-        });
+    assertThat(lines.get())
+        .filteredOn(it -> it.contains("$OV_PRO"))
+        .containsExactly(
+            "MQTT plain: the broker refuses robots/cell1/$OV_PRO: not authorized; further"
+                + " refusals of the topic are only counted");
   }
 
   @Test

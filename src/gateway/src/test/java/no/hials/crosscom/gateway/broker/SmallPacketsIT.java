@@ -21,21 +21,18 @@ class SmallPacketsIT extends BrokerTest {
   })
   void aMessageThatIsTooLargeDoesNotStopTheOthers(int version, String line) throws Exception {
     limitPackets(200);
-    withLog(
-        lines -> {
-          // only one that is too large: each takes 10 s to find
-          String read = READ_ALL.replace(", \"NOSUCH\"", "");
-          start(read + mqtt(broker, "version = " + version));
-          await(() -> lines.get().stream().anyMatch(it -> it.contains(line)));
-          try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
-            observer.await("robots/cell1/$MODE_OP", "good");
+    // only one that is too large: each takes 10 s to find
+    String read = READ_ALL.replace(", \"NOSUCH\"", "");
+    start(read + mqtt(broker, "version = " + version));
+    await(() -> lines.get().stream().anyMatch(it -> it.contains(line)));
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      observer.await("robots/cell1/$MODE_OP", "good");
 
-            robot.variables().set("$OV_PRO", "73");
+      robot.variables().set("$OV_PRO", "73");
 
-            observer.await("robots/cell1/$OV_PRO", "73");
-            assertThat(observer.on("robots/cell1/$POS_ACT")).isEmpty();
-          }
-        });
+      observer.await("robots/cell1/$OV_PRO", "73");
+      assertThat(observer.on("robots/cell1/$POS_ACT")).isEmpty();
+    }
   }
 
   @Test
@@ -43,50 +40,43 @@ class SmallPacketsIT extends BrokerTest {
     limitPackets(150);
     robot.variables().declare("TEXT[80]", "CHAR", "\"\"");
     String read = "[groups.all]\nvariables = [\"TEXT[]\"]\nperiod = \"50ms\"\n";
-    withLog(
-        lines -> {
-          start(read + mqtt(broker));
-          try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
-            for (int i = 0; i < 5; i++) {
-              double before = figure(gateway, "mqtt_messages_dropped");
-              robot.variables().set("TEXT[]", '"' + "x".repeat(80) + '"');
-              await(() -> figure(gateway, "mqtt_messages_dropped") > before);
+    start(read + mqtt(broker));
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      for (int i = 0; i < 5; i++) {
+        double before = figure(gateway, "mqtt_messages_dropped");
+        robot.variables().set("TEXT[]", '"' + "x".repeat(80) + '"');
+        await(() -> figure(gateway, "mqtt_messages_dropped") > before);
 
-              robot.variables().set("TEXT[]", "\"short" + i + '"');
-              observer.await("robots/cell1/TEXT[]", "short" + i);
-            }
-          }
-          assertThat(lines.get())
-              .anyMatch(it -> it.contains("refuses robots/cell1/TEXT[]: it has "))
-              .noneMatch(it -> it.contains("is lost"));
-        });
+        robot.variables().set("TEXT[]", "\"short" + i + '"');
+        observer.await("robots/cell1/TEXT[]", "short" + i);
+      }
+    }
+    assertThat(lines.get())
+        .anyMatch(it -> it.contains("refuses robots/cell1/TEXT[]: it has "))
+        .noneMatch(it -> it.contains("is lost"));
   }
 
   @ParameterizedTest
   @CsvSource({"3, the broker ends the connection when it gets", "5, the broker refuses"})
   void aDeviceWhoseBirthIsTooLargeIsNotBorn(int version, String line) throws Exception {
     limitPackets(400);
-    withLog(
-        lines -> {
-          start(
-              READ_ALL
-                  + mqtt(
-                      broker,
-                      "version = " + version,
-                      "sparkplug-group = \"g\"",
-                      "sparkplug-node = \"n\""));
-          try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
-            await(
-                () ->
-                    lines.get().stream()
-                        .anyMatch(it -> it.contains(line + " spBv1.0/g/DBIRTH/n/cell1")));
-            observer.forget();
-            double before = figure(gateway, "mqtt_messages_dropped");
-            await(() -> figure(gateway, "mqtt_messages_dropped") > before + 5);
+    start(
+        READ_ALL
+            + mqtt(
+                broker,
+                "version = " + version,
+                "sparkplug-group = \"g\"",
+                "sparkplug-node = \"n\""));
+    try (Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      await(
+          () ->
+              lines.get().stream().anyMatch(it -> it.contains(line + " spBv1.0/g/DBIRTH/n/cell1")));
+      observer.forget();
+      double before = figure(gateway, "mqtt_messages_dropped");
+      await(() -> figure(gateway, "mqtt_messages_dropped") > before + 5);
 
-            assertThat(observer.all()).noneMatch(it -> it.getTopic().toString().contains("cell1"));
-          }
-        });
+      assertThat(observer.all()).noneMatch(it -> it.getTopic().toString().contains("cell1"));
+    }
   }
 
   @Test
@@ -144,18 +134,15 @@ class SmallPacketsIT extends BrokerTest {
                   return "\"COUNT" + i + '"';
                 })
             .collect(Collectors.joining(","));
-    withLog(
-        lines -> {
-          start(
-              "[groups.all]\nvariables = ["
-                  + names
-                  + "]\nperiod = \"500ms\"\n"
-                  + mqtt(broker, "version = 3", "qos = 2"));
-          try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
-            observer.await("robots/cell1/COUNT99", "good");
-            await(() -> figure(gateway, "mqtt_messages_published") > 300);
-          }
-          assertThat(lines.get()).noneMatch(it -> it.contains("is lost"));
-        });
+    start(
+        "[groups.all]\nvariables = ["
+            + names
+            + "]\nperiod = \"500ms\"\n"
+            + mqtt(broker, "version = 3", "qos = 2"));
+    try (Observer observer = new Observer(broker.port()).subscribe("robots/#")) {
+      observer.await("robots/cell1/COUNT99", "good");
+      await(() -> figure(gateway, "mqtt_messages_published") > 300);
+    }
+    assertThat(lines.get()).noneMatch(it -> it.contains("is lost"));
   }
 }

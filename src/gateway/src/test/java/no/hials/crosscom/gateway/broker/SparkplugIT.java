@@ -305,26 +305,23 @@ class SparkplugIT extends BrokerTest {
             observer.publish(rebirth());
             awaitBirths(observer, 3);
           };
-      withLog(
-          lines -> {
-            Gateway after =
-                start(
-                    READ + mqtt(broker, NODE) + "[slow]\n",
-                    List.of(new MqttKind(), new SlowOutput(untilForwarding)));
-            await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
+      Gateway after =
+          start(
+              READ + mqtt(broker, NODE) + "[slow]\n",
+              List.of(new MqttKind(), new SlowOutput(untilForwarding)));
+      await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
 
-            long alias = metricOf(observer.await(DBIRTH, ""), "COUNTER").getAlias();
-            for (int value : List.of(1, 2, 3)) {
-              Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(value));
-              assertThat(has(data, alias, it -> Boolean.TRUE.equals(it.isHistorical()))).isTrue();
-            }
-            double lost = figure(after, "mqtt_messages_dropped");
-            assertThat(lost).isGreaterThanOrEqualTo(3);
-            assertThat(lines.get())
-                .contains(
-                    "MQTT sparkplug: the stored messages are forwarded, but %.0f of them or of their values are lost: the robot or value is no longer there, or has another type"
-                        .formatted(lost));
-          });
+      long alias = metricOf(observer.await(DBIRTH, ""), "COUNTER").getAlias();
+      for (int value : List.of(1, 2, 3)) {
+        Mqtt5Publish data = awaitData(observer, alias, it -> it.getValue().equals(value));
+        assertThat(has(data, alias, it -> Boolean.TRUE.equals(it.isHistorical()))).isTrue();
+      }
+      double lost = figure(after, "mqtt_messages_dropped");
+      assertThat(lost).isGreaterThanOrEqualTo(3);
+      assertThat(lines.get())
+          .contains(
+              "MQTT sparkplug: the stored messages are forwarded, but %.0f of them or of their values are lost: the robot or value is no longer there, or has another type"
+                  .formatted(lost));
     }
   }
 
@@ -339,18 +336,15 @@ class SparkplugIT extends BrokerTest {
     await(() -> hasCounter(before.robots().get(0), "5.5"));
     before.close();
     robot.variables().declare("COUNTER", "INT", "9");
-    withLog(
-        lines -> {
-          Gateway after = start(READ + mqtt(broker, NODE));
-          await(() -> hasCounter(after.robots().get(0), "9"));
-          broker.start();
-          await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
+    Gateway after = start(READ + mqtt(broker, NODE));
+    await(() -> hasCounter(after.robots().get(0), "9"));
+    broker.start();
+    await(() -> lines.get().stream().anyMatch(it -> it.contains("sparkplug: the stored")));
 
-          assertThat(figure(after, "mqtt_messages_dropped")).isEqualTo(2);
-          assertThat(lines.get())
-              .contains(
-                  "MQTT sparkplug: the stored messages are forwarded, but 2 of them or of their values are lost: the robot or value is no longer there, or has another type");
-        });
+    assertThat(figure(after, "mqtt_messages_dropped")).isEqualTo(2);
+    assertThat(lines.get())
+        .contains(
+            "MQTT sparkplug: the stored messages are forwarded, but 2 of them or of their values are lost: the robot or value is no longer there, or has another type");
   }
 
   private static boolean hasCounter(RobotFeed feed, String value) {

@@ -3,9 +3,6 @@ package no.hials.crosscom.gateway.internal.broker;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,10 +13,10 @@ import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.LogLines;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.slf4j.LoggerFactory;
 
 class MessageStoreTest {
   private static final long LIMIT = 8000;
@@ -249,25 +246,19 @@ class MessageStoreTest {
 
   @Test
   void eachTimeWithoutTheBrokerHasALineIfMessagesCannotBeStored() throws IOException {
-    ListAppender<ILoggingEvent> log = new ListAppender<>();
-    Logger logger = (Logger) LoggerFactory.getLogger(MessageStore.class);
-    log.start();
-    logger.addAppender(log);
     folder = Files.writeString(folder.resolve("file"), "");
-    try (MessageStore store = open()) {
+    try (LogLines lines = LogLines.of(MessageStore.class);
+        MessageStore store = open()) {
       store.add(message(1));
       store.add(message(2));
-      assertThat(log.list).hasSize(1);
+      assertThat(lines.get()).hasSize(1);
 
       store.reachedBroker();
       store.add(message(3));
 
-      assertThat(log.list)
-          .extracting(ILoggingEvent::getFormattedMessage)
+      assertThat(lines.get())
           .hasSize(2)
           .allMatch(line -> line.startsWith("cannot store messages in " + folder));
-    } finally {
-      logger.detachAppender(log);
     }
   }
 }

@@ -2,31 +2,20 @@ package no.hials.crosscom.gateway.internal.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import com.hivemq.client.mqtt.exceptions.MqttEncodeException;
 import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.LogLines;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.slf4j.LoggerFactory;
 
 class RefusalsTest {
-  private final Logger logger = (Logger) LoggerFactory.getLogger(Refusals.class);
-  private final ListAppender<ILoggingEvent> lines = new ListAppender<>();
+  private final LogLines lines = LogLines.of(Refusals.class);
   private final Refusals refusals =
       new Refusals("plain", new SessionFigures(new Health(), "plain"), new Culprits("plain"));
 
-  @BeforeEach
-  void listen() {
-    lines.start();
-    logger.addAppender(lines);
-  }
-
   @AfterEach
   void close() {
-    logger.detachAppender(lines);
+    lines.close();
   }
 
   private void refuse(String topic) {
@@ -42,8 +31,7 @@ class RefusalsTest {
     refuse("a");
 
     String rest = ": too long; further refusals of the topic are only counted";
-    assertThat(lines.list)
-        .extracting(ILoggingEvent::getFormattedMessage)
+    assertThat(lines.get())
         .containsExactly(
             "MQTT plain: the broker refuses a" + rest,
             "MQTT plain: the broker refuses b" + rest,
@@ -56,8 +44,8 @@ class RefusalsTest {
       refuse("topic" + i);
     }
 
-    assertThat(lines.list).hasSize(20);
-    assertThat(lines.list.get(19).getFormattedMessage())
+    assertThat(lines.get()).hasSize(20);
+    assertThat(lines.get().get(19))
         .isEqualTo(
             "MQTT plain: the broker refuses topic19: too long; all further refusals are only"
                 + " counted");

@@ -3,9 +3,6 @@ package no.hials.crosscom.gateway.internal.broker;
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -15,15 +12,14 @@ import java.net.Socket;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import no.hials.crosscom.gateway.Health;
+import no.hials.crosscom.gateway.LogLines;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.slf4j.LoggerFactory;
 
 /** A session with a broker that stops answering in the middle. */
 @Timeout(30)
@@ -31,8 +27,7 @@ class SessionTest {
   private static final byte[] CONNACK = {0x20, 2, 0, 0};
   private static final int SUBSCRIBE = 0x82;
 
-  private final Logger logger = (Logger) LoggerFactory.getLogger(Session.class);
-  private final ListAppender<ILoggingEvent> log = new ListAppender<>();
+  private final LogLines lines = LogLines.of(Session.class);
 
   @TempDir private Path folder;
   private ServerSocket broker;
@@ -41,16 +36,13 @@ class SessionTest {
   @BeforeEach
   void listen() throws IOException {
     broker = new ServerSocket(0, 10, InetAddress.getLoopbackAddress());
-    log.list = new CopyOnWriteArrayList<>();
-    log.start();
-    logger.addAppender(log);
   }
 
   @AfterEach
   void stop() throws IOException {
     session.close();
     broker.close();
-    logger.detachAppender(log);
+    lines.close();
   }
 
   /**
@@ -165,10 +157,7 @@ class SessionTest {
   }
 
   private List<String> refusedSubscriptions() {
-    return log.list.stream()
-        .map(ILoggingEvent::getFormattedMessage)
-        .filter(it -> it.contains("refuses to subscribe set"))
-        .toList();
+    return lines.get().stream().filter(it -> it.contains("refuses to subscribe set")).toList();
   }
 
   @Test

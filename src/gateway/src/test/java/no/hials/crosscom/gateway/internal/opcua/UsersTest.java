@@ -2,14 +2,11 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.read.ListAppender;
 import io.prometheus.metrics.core.metrics.Counter;
 import java.net.InetAddress;
 import java.util.List;
+import no.hials.crosscom.gateway.LogLines;
 import org.junit.jupiter.api.Test;
-import org.slf4j.LoggerFactory;
 
 class UsersTest {
   private static final InetAddress HERE = InetAddress.getLoopbackAddress();
@@ -20,25 +17,19 @@ class UsersTest {
 
   @Test
   void manyRefusalsAreOnlyCounted() {
-    ListAppender<ILoggingEvent> log = new ListAppender<>();
-    Logger logger = (Logger) LoggerFactory.getLogger(Users.class);
-    log.start();
-    logger.addAppender(log);
-    try {
+    try (LogLines lines = LogLines.of(Users.class)) {
       for (int i = 0; i < 1000; i++) {
         users.refuse(HERE, "user 'eve'");
       }
-    } finally {
-      logger.detachAppender(log);
-    }
 
-    assertThat(refused.get()).isEqualTo(1000);
-    assertThat(log.list).hasSize(20);
-    assertThat(log.list.get(0).getFormattedMessage())
-        .startsWith("OPC UA: user 'eve' at ")
-        .endsWith("may not log in");
-    assertThat(log.list.get(19).getFormattedMessage())
-        .endsWith("; further refusals of the next seconds are only counted");
+      assertThat(refused.get()).isEqualTo(1000);
+      assertThat(lines.get()).hasSize(20);
+      assertThat(lines.get().get(0))
+          .startsWith("OPC UA: user 'eve' at ")
+          .endsWith("may not log in");
+      assertThat(lines.get().get(19))
+          .endsWith("; further refusals of the next seconds are only counted");
+    }
   }
 
   @Test

@@ -9,7 +9,7 @@ final class Outgoing {
   private static final int OVERHEAD = 100;
 
   /** Its name for {@link Culprits}; empty if it has none. */
-  String name;
+  final String name;
 
   /** Goes to the store if the broker does not confirm the message; null to forget it. */
   final @Nullable Supplier<StoredMessage> spare;
@@ -24,7 +24,7 @@ final class Outgoing {
   final long sentAt;
 
   /** Whether it is the answer to a command. */
-  boolean isAnswer;
+  final boolean isAnswer;
 
   /** The bytes that waited for the broker when the message was sent, with its own. */
   long waiting;
@@ -32,31 +32,49 @@ final class Outgoing {
   /** Whether the broker has confirmed or refused the message. */
   boolean done;
 
+  private Outgoing(
+      String name,
+      @Nullable Supplier<StoredMessage> spare,
+      @Nullable StoredMessage stored,
+      int bytes,
+      long sentAt,
+      boolean isAnswer) {
+    this.name = name;
+    this.spare = spare;
+    this.stored = stored;
+    this.bytes = bytes;
+    this.sentAt = sentAt;
+    this.isAnswer = isAnswer;
+  }
+
+  private static int bytes(Publication message) {
+    return message.payload().remaining() + OVERHEAD;
+  }
+
   /**
-   * Creates a message.
+   * Returns a new message.
    *
    * @param now the time in nanoseconds
    */
-  Outgoing(
-      Publication message,
-      @Nullable Supplier<StoredMessage> spare,
-      @Nullable StoredMessage stored,
-      long now) {
-    this.name = stored == null ? message.topic() : stored.name();
-    this.spare = spare;
-    this.stored = stored;
-    this.bytes = message.payload().remaining() + OVERHEAD;
-    this.sentAt = now;
+  static Outgoing of(Publication message, @Nullable Supplier<StoredMessage> spare, long now) {
+    return new Outgoing(message.topic(), spare, null, bytes(message), now, false);
   }
 
-  /** Creates a stored message that is not published. */
-  Outgoing(StoredMessage stored) {
-    this.name = "";
-    this.spare = null;
-    this.stored = stored;
-    this.bytes = 0;
-    this.sentAt = 0;
-    this.done = true;
+  /** Returns a message that is sent whatever holds others back. */
+  static Outgoing atOnce(Publication message, boolean isAnswer, long now) {
+    return new Outgoing("", null, null, bytes(message), now, isAnswer);
+  }
+
+  /** Returns a stored message. */
+  static Outgoing stored(Publication message, StoredMessage stored, long now) {
+    return new Outgoing(stored.name(), null, stored, bytes(message), now, false);
+  }
+
+  /** Returns a stored message that is not published. */
+  static Outgoing skipped(StoredMessage stored) {
+    Outgoing skipped = new Outgoing("", null, stored, 0, 0, false);
+    skipped.done = true;
+    return skipped;
   }
 
   /** Returns whether it was sent while no other message waited for the broker. */

@@ -128,10 +128,7 @@ public final class Session implements AutoCloseable {
 
   /** Publishes a message at once, whatever holds others back; only while it is connected. */
   public void publishNow(Publication message, boolean isAnswer) {
-    Outgoing one = new Outgoing(message, null, null, System.nanoTime());
-    one.isAnswer = isAnswer;
-    one.name = "";
-    send(message, one);
+    send(message, Outgoing.atOnce(message, isAnswer, System.nanoTime()));
   }
 
   /** Runs a task on the thread of the session soon, whether there is room or not. */
@@ -154,7 +151,7 @@ public final class Session implements AutoCloseable {
   public boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
     boolean free = connected && (spare == null || hasRoom());
     if (free && !culprits.mustWait(message.topic(), now)) {
-      send(message, new Outgoing(message, spare, null, System.nanoTime()));
+      send(message, Outgoing.of(message, spare, System.nanoTime()));
       return true;
     }
     if (spare != null) {
@@ -185,7 +182,7 @@ public final class Session implements AutoCloseable {
 
   /** Publishes a stored message; for {@link Traffic#forward}. */
   public void publishStored(Publication message, StoredMessage stored) {
-    send(message, new Outgoing(message, null, stored, System.nanoTime()));
+    send(message, Outgoing.stored(message, stored, System.nanoTime()));
   }
 
   /** Counts stored messages or values that can no longer be published. */
@@ -196,7 +193,7 @@ public final class Session implements AutoCloseable {
 
   /** Removes a stored message that is not published. */
   public void skipStored(StoredMessage stored) {
-    inFlight.add(new Outgoing(stored));
+    inFlight.add(Outgoing.skipped(stored));
     confirm();
   }
 

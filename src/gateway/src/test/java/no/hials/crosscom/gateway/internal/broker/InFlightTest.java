@@ -20,7 +20,7 @@ class InFlightTest {
 
   private Outgoing send(int qos, int payload) {
     Publication message = new Publication("topic", new byte[payload], qos, false);
-    Outgoing one = new Outgoing(message, null, null, now);
+    Outgoing one = Outgoing.of(message, null, now);
     inFlight.add(one);
     return one;
   }
@@ -209,7 +209,7 @@ class InFlightTest {
     for (; inFlight.hasRoomForStored(now); stored++) {
       Publication message = new Publication("topic", new byte[PAYLOAD], 1, false);
       StoredMessage from = new StoredMessage("topic", new byte[PAYLOAD]);
-      inFlight.add(new Outgoing(message, null, from, now));
+      inFlight.add(Outgoing.stored(message, from, now));
     }
     assertThat(stored).isEqualTo(32);
   }
@@ -245,10 +245,8 @@ class InFlightTest {
   void answersGetHalfOfTheRoom() {
     int answers = 0;
     for (; inFlight.hasRoomForAnswer(now); answers++) {
-      Outgoing answer =
-          new Outgoing(new Publication("topic", new byte[PAYLOAD], 1, false), null, null, now);
-      answer.isAnswer = true;
-      inFlight.add(answer);
+      Publication answer = new Publication("topic", new byte[PAYLOAD], 1, false);
+      inFlight.add(Outgoing.atOnce(answer, true, now));
     }
 
     assertThat(answers).isEqualTo(8);
@@ -305,7 +303,7 @@ class InFlightTest {
 
   @Test
   void aStoredMessageThatIsSkippedNeedsNoRoom() {
-    inFlight.add(new Outgoing(new StoredMessage("topic", new byte[50_000])));
+    inFlight.add(Outgoing.skipped(new StoredMessage("topic", new byte[50_000])));
 
     assertThat(inFlight.hasRoomForStored(now)).isTrue();
     assertThat(inFlight.pollDone()).isNotNull();

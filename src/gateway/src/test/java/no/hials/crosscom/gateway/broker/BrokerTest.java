@@ -40,7 +40,7 @@ abstract class BrokerTest {
   @KukaController MockServer robot;
   @TempDir Path folder;
 
-  /** What the gateway logs during the test. */
+  /** The lines that the gateway logs during the test. */
   final LogLines lines = LogLines.ofGateway();
 
   @Nullable Gateway gateway;

@@ -28,6 +28,10 @@ final class Culprits {
   private static final int ENDS = 3;
 
   private static final long SOON = TimeUnit.SECONDS.toNanos(3);
+
+  /** After this time without an end, the broker has accepted a message that it has confirmed. */
+  static final long SETTLING = TimeUnit.MILLISECONDS.toNanos(10);
+
   private static final long LASTING = TimeUnit.SECONDS.toNanos(10);
   private static final long LONGEST_SEARCH = TimeUnit.MINUTES.toNanos(2);
   private static final long FIRST_BLOCK = TimeUnit.SECONDS.toNanos(10);
@@ -36,12 +40,20 @@ final class Culprits {
   /** The time for which a message is blocked. */
   private record Block(long until, long length) {}
 
+  /** A suspect that was sent, and when it was confirmed; null if it was not. */
+  private record Test(String name, @Nullable Long confirmedAt) {}
+
   private final String session;
   private final Map<String, Block> blocks = new HashMap<>();
   private final Set<String> suspects = new HashSet<>();
 
-  /** The suspect that was sent and is not confirmed; null if none was. */
-  private @Nullable String tested;
+  /** The suspect that was sent and is not accepted; null if none was. */
+  private @Nullable Test test;
+
+  /** The last message that was confirmed on this connection; empty if none was. */
+  private String confirmed = "";
+
+  private long confirmedAt;
 
   /** The number of connections that have ended soon, one after the other. */
   private int ends;
@@ -64,6 +76,8 @@ final class Culprits {
   /** Called when the broker is connected. */
   void connected(long now) {
     connectedAt = now;
+    test = null;
+    confirmed = "";
   }
 
   private boolean lasts(long now) {
@@ -79,9 +93,22 @@ final class Culprits {
     return suspects.contains(name) || blocks.containsKey(name);
   }
 
+  /**
+   * Returns the time from the confirmation of a message to the next one, so that it is clear at
+   * which the broker ends the connection; 0 if messages are not sent one at a time.
+   */
+  long pause(long now) {
+    return isSearching(now) ? SETTLING : 0;
+  }
+
+  private boolean isSettling(long now) {
+    return !confirmed.isEmpty() && now - confirmedAt < SETTLING;
+  }
+
   /** Returns whether a message must be sent later. */
   boolean mustWait(String name, long now) {
-    return isSuspect(name) && !isBlocked(name, now) && (tested != null || !lasts(now));
+    settle(now);
+    return isSuspect(name) && !isBlocked(name, now) && (test != null || !lasts(now));
   }
 
   /** Returns whether a stored message must be sent later. Its name is needed only with suspects. */
@@ -113,27 +140,39 @@ final class Culprits {
   /** Called when a message is sent. */
   void sent(String name) {
     if (isSuspect(name)) {
-      tested = name;
+      test = new Test(name, null);
     }
   }
 
-  /** Called when the broker has a message. */
-  void confirmed(String name) {
-    suspects.remove(name);
-    blocks.remove(name);
-    if (name.equals(tested)) {
-      tested = null;
+  /** Called when the broker has confirmed or refused a message. */
+  void confirmed(String name, long now) {
+    confirmed = name;
+    confirmedAt = now;
+    if (test != null && test.name.equals(name)) {
+      test = new Test(name, now);
+    }
+  }
+
+  /** Frees a suspect that was confirmed some time ago. */
+  private void settle(long now) {
+    if (test != null && test.confirmedAt != null && now - test.confirmedAt >= SETTLING) {
+      suspects.remove(test.name);
+      blocks.remove(test.name);
+      test = null;
     }
   }
 
   /**
    * Called when the broker has ended a connection.
    *
-   * @param names the names of the messages that it has not confirmed
+   * @param unconfirmed the names of the messages that it has not confirmed
    * @return whether one of them is blocked or waits from now on, so that the next connection will
    *     be better
    */
-  boolean ended(Set<String> names, long now) {
+  boolean ended(Set<String> unconfirmed, long now) {
+    settle(now);
+    boolean late = unconfirmed.isEmpty() && isSettling(now);
+    Set<String> names = late ? Set.of(confirmed) : unconfirmed;
     boolean searching = isSearching(now);
     boolean better = searching && names.size() == 1 && suspects.addAll(names);
     givenUp &= !lasts(now);
@@ -148,11 +187,11 @@ final class Culprits {
       givenUp = true;
       suspects.clear();
     }
-    if (tested != null && names.contains(tested)) {
-      block(tested, now);
+    if (test != null) {
+      block(test.name, now);
       better = true;
     }
-    tested = null;
+    test = null;
     return better;
   }
 

@@ -29,6 +29,11 @@ final class InFlight {
   /** The maximum number of messages like the last one. */
   private int most = MOST;
 
+  /** The time from the last confirmation to the next message; 0 for no pause. */
+  private long pause;
+
+  private long doneAt;
+
   /** The bytes of the messages that are not done. */
   private long bytes;
 
@@ -54,7 +59,8 @@ final class InFlight {
   boolean hasRoom(long now) {
     Outgoing oldest = messages.peek();
     draining |= oldest != null && !oldest.done && window.mustDrain(oldest, now);
-    return !draining && messages.size() < most && bytes < window.size();
+    boolean pausing = pause > 0 && now - doneAt < pause;
+    return !draining && !pausing && messages.size() < most && bytes < window.size();
   }
 
   /**
@@ -90,9 +96,14 @@ final class InFlight {
         .collect(Collectors.toSet());
   }
 
-  /** Sets the maximum number of messages, which is never more than usual. */
-  void limit(int number) {
-    most = Math.min(number, MOST);
+  /**
+   * Sets the maximum number of messages, which is never more than usual.
+   *
+   * @param nanos if not 0, messages are sent one at a time, each after a pause
+   */
+  void limit(int number, long nanos) {
+    most = nanos > 0 ? 1 : Math.min(number, MOST);
+    pause = nanos;
   }
 
   /** Adds a message that is sent now. */
@@ -111,6 +122,7 @@ final class InFlight {
    */
   void done(Outgoing message, long now) {
     message.done = true;
+    doneAt = now;
     bytes -= message.bytes;
     answerBytes -= message.isAnswer ? message.bytes : 0;
     storedBytes -= message.stored != null ? message.bytes : 0;
@@ -133,6 +145,7 @@ final class InFlight {
     window.reset();
     draining = false;
     most = MOST;
+    pause = 0;
     bytes = 0;
     answerBytes = 0;
     storedBytes = 0;

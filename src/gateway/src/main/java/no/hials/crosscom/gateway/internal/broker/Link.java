@@ -172,13 +172,28 @@ interface Link {
    * is shut down, or the client was silent or is connected a second time.
    */
   static boolean isEndedByBroker(Throwable failure) {
+    if (isInvalidPacket(failure)) {
+      return false;
+    }
     return failure instanceof Mqtt5DisconnectException message
         ? !OTHER_REASONS.contains(message.getMqttMessage().getReasonCode())
         : failure instanceof ConnectionClosedException;
   }
 
+  /**
+   * Returns whether this client has ended a connection because of an invalid packet. Some brokers
+   * pass on invalid messages of other clients.
+   */
+  static boolean isInvalidPacket(Throwable failure) {
+    return failure instanceof Mqtt5DisconnectException
+        && String.valueOf(failure.getMessage()).startsWith("Exception while decoding");
+  }
+
   /** Returns why a connection was lost or not made. */
   static String reason(Throwable failure) {
+    if (isInvalidPacket(failure)) {
+      return "the broker has passed on an invalid message: " + failure.getMessage();
+    }
     Throwable cause = failure.getCause();
     boolean wraps =
         failure instanceof ConnectionFailedException

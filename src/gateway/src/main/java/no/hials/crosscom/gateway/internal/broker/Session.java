@@ -225,7 +225,7 @@ public final class Session implements AutoCloseable {
     if (inFlight.isEmpty()) {
       lastAnswer = one.sentAt;
     }
-    inFlight.limit(culprits.isSearching(now) ? 1 : over.mostInFlight(message.qos()));
+    inFlight.limit(over.mostInFlight(message.qos()), culprits.pause(now));
     inFlight.add(one);
     culprits.sent(one.name);
     CompletableFuture<?> unused =
@@ -247,7 +247,7 @@ public final class Session implements AutoCloseable {
       lost(over, cause);
       return;
     }
-    culprits.confirmed(one.name);
+    culprits.confirmed(one.name, lastAnswer);
     traffic().confirmed(message);
     inFlight.done(one, lastAnswer);
     confirm();
@@ -283,7 +283,7 @@ public final class Session implements AutoCloseable {
         break;
       }
       if (!busy) {
-        LockSupport.parkNanos(PAUSE);
+        LockSupport.parkNanos(culprits.isSearching(now) ? Culprits.SETTLING : PAUSE);
       }
     }
     end();
@@ -447,7 +447,9 @@ public final class Session implements AutoCloseable {
       return;
     }
     LOG.warn("MQTT {}: {} is lost, messages are stored: {}", name, settings.url(), reason);
-    attempts.lost(Link.isEndedByBroker(failure) && culprits.ended(unconfirmed, System.nanoTime()));
+    attempts.lost(
+        Link.isInvalidPacket(failure)
+            || (Link.isEndedByBroker(failure) && culprits.ended(unconfirmed, System.nanoTime())));
   }
 
   /** Stores what the broker has not confirmed, and forwards the rest of the store later. */

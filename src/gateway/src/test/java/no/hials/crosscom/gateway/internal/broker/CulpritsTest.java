@@ -89,11 +89,47 @@ class CulpritsTest {
     pass(10);
     culprits.sent("good");
 
-    culprits.confirmed("good");
+    culprits.confirmed("good", now);
+    now += Culprits.SETTLING;
 
     assertThat(culprits.ended(Set.of("good"), now)).isFalse();
     connect();
     assertThat(culprits.mustWait("good", now)).isFalse();
+  }
+
+  @Test
+  void aMessageThatIsConfirmedJustBeforeTheEndIsFound() {
+    startSearch();
+    connect();
+    culprits.confirmed("good", now);
+    pass(1);
+    culprits.confirmed("bad", now);
+    assertThat(culprits.ended(Set.of(), now)).isTrue();
+    connect();
+    assertThat(culprits.mustWait("good", now)).isFalse();
+    pass(10);
+    assertThat(culprits.mustWait("bad", now)).isFalse();
+    culprits.sent("bad");
+    culprits.confirmed("bad", now);
+    culprits.confirmed("good", now);
+
+    assertThat(culprits.ended(Set.of("good"), now)).isTrue();
+
+    assertThat(culprits.isBlocked("bad", now)).isTrue();
+    assertThat(culprits.isBlocked("good", now)).isFalse();
+  }
+
+  @Test
+  void aSuspectWhoseConnectionTheNetworkEndsIsTestedOnTheNext() {
+    startSearch();
+    end("bad");
+    connect();
+    pass(10);
+    culprits.sent("bad");
+
+    connect();
+
+    endAt("bad");
   }
 
   @Test
@@ -146,7 +182,7 @@ class CulpritsTest {
     for (int i = 0; i < 70; i++) {
       connect();
       for (int message = 0; message < random.nextInt(20); message++) {
-        culprits.confirmed("topic" + message);
+        culprits.confirmed("topic" + message, now);
       }
       pass(1);
       culprits.ended(Set.of("topic" + random.nextInt(20)), now);
@@ -185,7 +221,8 @@ class CulpritsTest {
     connect();
     pass(10);
     culprits.sent("bad");
-    culprits.confirmed("bad");
+    culprits.confirmed("bad", now);
+    now += Culprits.SETTLING;
 
     assertThat(culprits.ended(Set.of("bad", "good"), now)).isFalse();
     assertThat(culprits.mustWait("bad", now)).isFalse();

@@ -311,11 +311,25 @@ class InFlightTest {
 
   @Test
   void aLimitHoldsUntilTheConnectionIsLost() {
-    inFlight.limit(2);
+    inFlight.limit(2, 0);
 
     assertThat(fill(1)).hasSize(2);
 
     loseConnection();
     assertThat(fill(1)).hasSize(16);
+  }
+
+  @Test
+  void withAPauseEachMessageWaitsForSomeTimeAfterTheLast() {
+    Outgoing first = send(1, PAYLOAD);
+    inFlight.limit(1000, 100);
+    assertThat(inFlight.hasRoom(now)).isFalse();
+
+    now += 50;
+    inFlight.done(first, now);
+    inFlight.pollDone();
+
+    assertThat(inFlight.hasRoom(now + 99)).isFalse();
+    assertThat(inFlight.hasRoom(now + 100)).isTrue();
   }
 }

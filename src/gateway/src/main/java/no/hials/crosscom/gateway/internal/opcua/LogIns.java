@@ -2,12 +2,14 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 
+import io.netty.channel.Channel;
 import java.net.InetAddress;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
@@ -39,6 +41,9 @@ final class LogIns extends DefaultSessionServiceSet {
   /** The sessions that are not logged in, by their tokens. */
   private final Map<NodeId, Waiting> waiting = new ConcurrentHashMap<>();
 
+  /** The connections with a log-in that is not answered. */
+  private final Set<Channel> busy = ConcurrentHashMap.newKeySet();
+
   /**
    * A session that is not logged in.
    *
@@ -53,8 +58,33 @@ final class LogIns extends DefaultSessionServiceSet {
     this.nanoTime = nanoTime;
   }
 
+  /** A step of a log-in. */
+  private interface Step<T> {
+    T run() throws UaException;
+  }
+
+  /**
+   * Runs a step if its connection has no other one: clients wait for the answer, and a flood of
+   * log-ins over one connection must not occupy the threads and keep out the others.
+   */
+  private <T> T only(ServiceRequestContext context, Step<T> step) throws UaException {
+    if (!busy.add(context.getChannel())) {
+      throw new UaException(StatusCodes.Bad_TooManyOperations);
+    }
+    try {
+      return step.run();
+    } finally {
+      busy.remove(context.getChannel());
+    }
+  }
+
   @Override
-  public synchronized CreateSessionResponse onCreateSession(
+  public CreateSessionResponse onCreateSession(
+      ServiceRequestContext context, CreateSessionRequest request) throws UaException {
+    return only(context, () -> create(context, request));
+  }
+
+  private synchronized CreateSessionResponse create(
       ServiceRequestContext context, CreateSessionRequest request) throws UaException {
     endAll(it -> it.context().getChannel().equals(context.getChannel()));
     long limit = server.getConfig().getLimits().getMaxSessions().longValue();
@@ -88,7 +118,12 @@ final class LogIns extends DefaultSessionServiceSet {
   }
 
   @Override
-  public synchronized ActivateSessionResponse onActivateSession(
+  public ActivateSessionResponse onActivateSession(
+      ServiceRequestContext context, ActivateSessionRequest request) throws UaException {
+    return only(context, () -> activate(context, request));
+  }
+
+  private synchronized ActivateSessionResponse activate(
       ServiceRequestContext context, ActivateSessionRequest request) throws UaException {
     ActivateSessionResponse response;
     try {

@@ -16,7 +16,9 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -53,6 +55,9 @@ final class OpcUaOutput implements Output {
           SecurityPolicy.Aes128_Sha256_RsaOaep,
           SecurityPolicy.Aes256_Sha256_RsaPss);
 
+  /** The maximum number of requests at a time; a write waits for its robot. */
+  private static final int MOST_THREADS = 500;
+
   private final OpcUaSettings settings;
   private final GatewayContext context;
   private final Users users;
@@ -60,13 +65,7 @@ final class OpcUaOutput implements Output {
   private final Gauge sessions;
   private final Pki pki;
   private final int port;
-  private final ExecutorService executor =
-      Executors.newCachedThreadPool(
-          task -> {
-            Thread thread = new Thread(task, "opcua");
-            thread.setDaemon(true);
-            return thread;
-          });
+  private final ExecutorService executor = executor();
   private final Connections connections;
   private final OpcUaServer server;
   private final CompanionTypes types;
@@ -165,6 +164,22 @@ final class OpcUaOutput implements Output {
       Thread.currentThread().interrupt();
       throw new IOException("interrupted", e);
     }
+  }
+
+  /** Returns an executor for requests. If all threads are in use, the next ones are not read. */
+  private static ExecutorService executor() {
+    return new ThreadPoolExecutor(
+        0,
+        MOST_THREADS,
+        60,
+        TimeUnit.SECONDS,
+        new SynchronousQueue<>(),
+        task -> {
+          Thread thread = new Thread(task, "opcua");
+          thread.setDaemon(true);
+          return thread;
+        },
+        new ThreadPoolExecutor.CallerRunsPolicy());
   }
 
   private OpcUaServerConfig config() {

@@ -7,8 +7,11 @@ import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToRet
 
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
+import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.net.SocketException;
@@ -115,10 +118,18 @@ class ConnectionsTest {
 
   /** Sends a message, and returns the first three letters and the rest of the answer. */
   private static ByteBuffer exchange(Socket socket, ByteBuffer message) throws IOException {
+    socket.getOutputStream().write(bytes(message));
+    return answer(socket);
+  }
+
+  private static byte[] bytes(ByteBuffer message) {
     byte[] bytes = new byte[message.position()];
     message.putInt(4, bytes.length).flip();
     message.get(bytes);
-    socket.getOutputStream().write(bytes);
+    return bytes;
+  }
+
+  private static ByteBuffer answer(Socket socket) throws IOException {
     DataInputStream in = new DataInputStream(socket.getInputStream());
     byte[] header = in.readNBytes(8);
     int answer = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN).getInt(4);
@@ -171,17 +182,21 @@ class ConnectionsTest {
      * @param number the number of the message on the channel; it is opened with 1
      */
     UaResponseMessageType send(int number, UaRequestMessageType request) throws IOException {
-      ByteBuffer message = message("MSGF").putInt(id).putInt(token).putInt(number).putInt(number);
-      ByteBuf body = Unpooled.buffer();
-      new OpcUaBinaryEncoder(DefaultEncodingContext.INSTANCE)
-          .setBuffer(body)
-          .encodeMessage(null, request);
-      message.put(body.nioBuffer());
-      ByteBuffer answer = exchange(socket, message).position(16);
+      ByteBuffer answer = exchange(socket, message(number, request)).position(16);
       return (UaResponseMessageType)
           new OpcUaBinaryDecoder(DefaultEncodingContext.INSTANCE)
               .setBuffer(Unpooled.wrappedBuffer(answer))
               .decodeMessage(null);
+    }
+
+    private ByteBuffer message(int number, UaRequestMessageType request) {
+      ByteBuffer message =
+          ConnectionsTest.message("MSGF").putInt(id).putInt(token).putInt(number).putInt(number);
+      ByteBuf body = Unpooled.buffer();
+      new OpcUaBinaryEncoder(DefaultEncodingContext.INSTANCE)
+          .setBuffer(body)
+          .encodeMessage(null, request);
+      return message.put(body.nioBuffer());
     }
   }
 
@@ -321,6 +336,33 @@ class ConnectionsTest {
                 new SignatureData(null, null)));
 
     assertThat(answer.getResponseHeader().getServiceResult()).isEqualTo(StatusCode.GOOD);
+  }
+
+  @Test
+  void aFloodOfLogInsOverAConnectionDoesNotTakeManyThreads() throws Exception {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    threads.resetPeakThreadCount();
+    int before = threads.getThreadCount();
+    List<Channel> channels = new ArrayList<>();
+    for (int i = 0; i < 10; i++) {
+      channels.add(open(hello("127.0.0.1"), 600_000));
+    }
+    for (Channel channel : channels) {
+      ByteArrayOutputStream flood = new ByteArrayOutputStream();
+      for (int number = 2; number < 1002; number++) {
+        flood.write(bytes(channel.message(number, createSession(header(NodeId.NULL_VALUE)))));
+      }
+      channel.socket().getOutputStream().write(flood.toByteArray());
+    }
+
+    for (Channel channel : channels) {
+      for (int number = 2; number < 1002; number++) {
+        answer(channel.socket());
+      }
+    }
+
+    assertThat(threads.getPeakThreadCount() - before).isLessThan(550);
+    OpcUaClient.create(url()).connect().disconnect();
   }
 
   @Test

@@ -30,6 +30,9 @@ public final class GatewayLog extends ContextAwareBase implements Configurator {
           "org.eclipse.milo.opcua.stack.transport.server",
           "org.eclipse.milo.opcua.sdk.server.diagnostics");
 
+  /** A logger that warns of each request that the server does not know. */
+  private static final String OF_UNKNOWN_REQUESTS = "org.eclipse.milo.opcua.sdk.server.OpcUaServer";
+
   /** Called by the service loader. */
   public GatewayLog() {}
 
@@ -59,6 +62,7 @@ public final class GatewayLog extends ContextAwareBase implements Configurator {
     for (String each : OF_REFUSED_CLIENTS) {
       context.getLogger(each).setLevel(Level.OFF);
     }
+    context.getLogger(OF_UNKNOWN_REQUESTS).setLevel(Level.ERROR);
     return ExecutionStatus.DO_NOT_INVOKE_NEXT_IF_ANY;
   }
 }

@@ -41,7 +41,7 @@ final class LogIns extends DefaultSessionServiceSet {
   /** The sessions that are not logged in, by their tokens. */
   private final Map<NodeId, Waiting> waiting = new ConcurrentHashMap<>();
 
-  /** The connections with a log-in that is not answered. */
+  /** The connections with a step of a log-in, or of its end, that is not answered. */
   private final Set<Channel> busy = ConcurrentHashMap.newKeySet();
 
   /**
@@ -58,7 +58,7 @@ final class LogIns extends DefaultSessionServiceSet {
     this.nanoTime = nanoTime;
   }
 
-  /** A step of a log-in. */
+  /** A step of a log-in, or of its end. */
   private interface Step<T> {
     T run() throws UaException;
   }
@@ -110,7 +110,12 @@ final class LogIns extends DefaultSessionServiceSet {
   // Milo would never remove a session that is closed during its log-in, so only one runs at a time
 
   @Override
-  public synchronized CloseSessionResponse onCloseSession(
+  public CloseSessionResponse onCloseSession(
+      ServiceRequestContext context, CloseSessionRequest request) throws UaException {
+    return only(context, () -> close(context, request));
+  }
+
+  private synchronized CloseSessionResponse close(
       ServiceRequestContext context, CloseSessionRequest request) throws UaException {
     CloseSessionResponse response = super.onCloseSession(context, request);
     waiting.remove(request.getRequestHeader().getAuthenticationToken());
@@ -158,7 +163,7 @@ final class LogIns extends DefaultSessionServiceSet {
     RequestHeader header =
         new RequestHeader(session.token(), DateTime.now(), uint(0), uint(0), "", uint(0), null);
     try {
-      onCloseSession(session.context(), new CloseSessionRequest(header, true));
+      close(session.context(), new CloseSessionRequest(header, true));
     } catch (UaException e) {
       // its client or its time-out has ended it
     }

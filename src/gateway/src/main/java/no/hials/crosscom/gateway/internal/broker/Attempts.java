@@ -6,13 +6,16 @@ import org.slf4j.LoggerFactory;
 
 /**
  * The times of a session's attempts to connect. Each attempt waits longer than the one before, also
- * if the broker connects and ends the connection at once. Logs each failure that differs from the
- * last one. Not thread-safe.
+ * if the broker connects and ends the connection soon. Logs each failure that differs from the last
+ * one. Not thread-safe.
  */
 final class Attempts {
   private static final Logger LOG = LoggerFactory.getLogger(Attempts.class);
   private static final long FIRST_DELAY = Duration.ofMillis(100).toNanos();
   private static final long LAST_DELAY = Duration.ofSeconds(5).toNanos();
+
+  /** After a connection that lasted so long, the next attempts begin with the first delay. */
+  private static final long GOOD = Duration.ofSeconds(2).toNanos();
 
   private final String session;
   private final String url;
@@ -49,7 +52,7 @@ final class Attempts {
    * @param again whether to connect again soon, since the next connection will be better
    */
   void lost(boolean again) {
-    if (again || System.nanoTime() - connectedAt > LAST_DELAY) {
+    if (again || System.nanoTime() - connectedAt > GOOD) {
       delay = FIRST_DELAY;
     }
     postpone();

@@ -18,8 +18,8 @@ import org.slf4j.LoggerFactory;
  * after it. So nothing is blocked because of a network in which no connection lasts. There, the
  * search is given up after some time. Not thread-safe.
  *
- * <p>A message has a name: its topic or, if it was stored, one of its own. One without a name is
- * never a suspect.
+ * <p>A message has a name: its topic or, if it was stored, one of its own; but if its topic is a
+ * suspect, a stored message is sent to test the topic. One without a name is never a suspect.
  */
 final class Culprits {
   private static final Logger LOG = LoggerFactory.getLogger(Culprits.class);
@@ -89,6 +89,10 @@ final class Culprits {
     return ends >= ENDS && !givenUp && !lasts(now);
   }
 
+  private boolean hasSuspects() {
+    return !suspects.isEmpty() || !blocks.isEmpty();
+  }
+
   private boolean isSuspect(String name) {
     return suspects.contains(name) || blocks.containsKey(name);
   }
@@ -113,8 +117,13 @@ final class Culprits {
 
   /** Returns whether a stored message must be sent later. Its name is needed only with suspects. */
   boolean mustWait(StoredMessage message, long now) {
-    boolean hasSuspects = !suspects.isEmpty() || !blocks.isEmpty();
-    return hasSuspects && mustWait(message.name(), now);
+    return hasSuspects() && mustWait(message.name(), now);
+  }
+
+  /** Returns the name of a stored message that is sent now. */
+  String name(String topic, StoredMessage message) {
+    boolean testsTopic = hasSuspects() && isSuspect(topic) && !isSuspect(message.name());
+    return testsTopic ? topic : message.name();
   }
 
   /**

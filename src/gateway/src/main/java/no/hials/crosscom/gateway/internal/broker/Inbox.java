@@ -62,4 +62,11 @@ final class Inbox {
     return updates > limit / 2
         || (oldest != null && System.nanoTime() - oldest.addedAt > LONGEST_WAIT);
   }
+
+  /** Runs the tasks that wait. */
+  void runAll() {
+    for (Runnable task = poll(); task != null; task = poll()) {
+      task.run();
+    }
+  }
 }

@@ -65,9 +65,9 @@ final class Outgoing {
     return new Outgoing("", null, null, bytes(message), now, isAnswer);
   }
 
-  /** Returns a stored message. */
-  static Outgoing stored(Publication message, StoredMessage stored, long now) {
-    return new Outgoing(stored.name(), null, stored, bytes(message), now, false);
+  /** Returns a stored message with a name. */
+  static Outgoing stored(Publication message, StoredMessage stored, String name, long now) {
+    return new Outgoing(name, null, stored, bytes(message), now, false);
   }
 
   /** Returns a stored message that is not published. */

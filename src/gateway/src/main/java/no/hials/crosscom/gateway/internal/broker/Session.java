@@ -3,7 +3,6 @@ package no.hials.crosscom.gateway.internal.broker;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.List;
 import java.util.Objects;
 import java.util.Queue;
 import java.util.Set;
@@ -126,9 +125,9 @@ public final class Session implements AutoCloseable {
     }
   }
 
-  /** Publishes a message at once, whatever holds others back; only while it is connected. */
-  public void publishNow(Publication message, boolean isAnswer) {
-    send(message, Outgoing.atOnce(message, isAnswer, System.nanoTime()));
+  /** Publishes a message at once, unless it is refused; only while it is connected. */
+  public boolean publishNow(Publication message, boolean isAnswer) {
+    return send(message, Outgoing.atOnce(message, isAnswer, System.nanoTime()));
   }
 
   /** Runs a task on the thread of the session soon, whether there is room or not. */
@@ -170,6 +169,11 @@ public final class Session implements AutoCloseable {
     return hasRoom() && !culprits.mustWait(topic, now);
   }
 
+  /** Returns whether a topic waits or is refused, as it may end connections; only on the thread. */
+  public boolean isHeldBack(String topic) {
+    return culprits.mustWait(topic, now) || culprits.isBlocked(topic, now);
+  }
+
   /** Stores a message, to be forwarded later; call it only on the thread of the session. */
   public void store(StoredMessage message) {
     store().add(message);
@@ -180,9 +184,10 @@ public final class Session implements AutoCloseable {
     return forwarding;
   }
 
-  /** Publishes a stored message; for {@link Traffic#forward}. */
-  public void publishStored(Publication message, StoredMessage stored) {
-    send(message, Outgoing.stored(message, stored, System.nanoTime()));
+  /** Publishes a stored message, unless it is refused; for {@link Traffic#forward}. */
+  public boolean publishStored(Publication message, StoredMessage stored) {
+    String as = culprits.name(message.topic(), stored);
+    return send(message, Outgoing.stored(message, stored, as, System.nanoTime()));
   }
 
   /** Counts stored messages or values that can no longer be published. */
@@ -206,21 +211,18 @@ public final class Session implements AutoCloseable {
     return opened;
   }
 
-  /**
-   * Returns whether the broker is sent messages of this topic and size. If not, the message is
-   * counted and logged as refused. Call it only on the thread of the session.
-   */
+  /** Returns whether such a message is sent. If not, it is counted and logged as refused. */
   public boolean accepts(Publication message) {
     return refusals.accept(message, message.topic(), link, now);
   }
 
-  private void send(Publication message, Outgoing one) {
+  private boolean send(Publication message, Outgoing one) {
     Link over = Objects.requireNonNull(link);
     if (!refusals.accept(message, one.name, link, now)) {
       if (one.stored != null) {
         skipStored(one.stored);
       }
-      return;
+      return false;
     }
     if (inFlight.isEmpty()) {
       lastAnswer = one.sentAt;
@@ -231,6 +233,7 @@ public final class Session implements AutoCloseable {
     CompletableFuture<?> unused =
         over.publishConfirmed(message, inFlight.bytesPerQuestion())
             .whenComplete((result, failure) -> run(() -> sent(over, message, one, failure)));
+    return true;
   }
 
   private void sent(Link over, Publication message, Outgoing one, @Nullable Throwable failure) {
@@ -464,11 +467,8 @@ public final class Session implements AutoCloseable {
   }
 
   private void end() {
-    for (Inbox waiting : List.of(answers, inbox)) {
-      for (Runnable task = waiting.poll(); task != null; task = waiting.poll()) {
-        task.run();
-      }
-    }
+    answers.runAll();
+    inbox.runAll();
     Link last = link;
     connected = false;
     keep();

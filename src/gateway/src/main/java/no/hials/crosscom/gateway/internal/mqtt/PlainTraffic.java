@@ -215,7 +215,7 @@ final class PlainTraffic implements Traffic {
   @Override
   public boolean forward(StoredMessage message) {
     publishDue();
-    if (!due.isEmpty() || !session.hasRoom()) {
+    if (!due.isEmpty() || !session.hasRoom(message.topic())) {
       return false; // current values first, and they may have taken the room
     }
     behind.add(message.topic());

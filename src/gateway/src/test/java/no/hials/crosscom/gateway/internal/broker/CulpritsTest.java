@@ -133,6 +133,28 @@ class CulpritsTest {
   }
 
   @Test
+  void aStoredMessageTestsItsTopicIfThatIsASuspect() {
+    StoredMessage stored = new StoredMessage("bad", new byte[1]);
+    assertThat(culprits.name("bad", stored)).isEqualTo(stored.name());
+
+    startSearch();
+    end("bad");
+
+    assertThat(culprits.name("bad", stored)).isEqualTo("bad");
+    assertThat(culprits.name("good", stored)).isEqualTo(stored.name());
+  }
+
+  @Test
+  void aStoredMessageThatIsASuspectIsTestedBeforeItsTopic() {
+    StoredMessage stored = new StoredMessage("bad", new byte[1]);
+    startSearch();
+    end("bad");
+    end(stored.name());
+
+    assertThat(culprits.name("bad", stored)).isEqualTo(stored.name());
+  }
+
+  @Test
   void theSearchBeginsAfterThreeConnections() {
     end("a");
     end("b");

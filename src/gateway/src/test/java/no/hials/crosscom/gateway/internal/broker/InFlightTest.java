@@ -209,7 +209,7 @@ class InFlightTest {
     for (; inFlight.hasRoomForStored(now); stored++) {
       Publication message = new Publication("topic", new byte[PAYLOAD], 1, false);
       StoredMessage from = new StoredMessage("topic", new byte[PAYLOAD]);
-      inFlight.add(Outgoing.stored(message, from, now));
+      inFlight.add(Outgoing.stored(message, from, "a stored message", now));
     }
     assertThat(stored).isEqualTo(32);
   }

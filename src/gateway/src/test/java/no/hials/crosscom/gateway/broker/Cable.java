@@ -1,5 +1,7 @@
 package no.hials.crosscom.gateway.broker;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -8,8 +10,12 @@ import java.net.ServerSocket;
 import java.net.Socket;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 
-/** A TCP connection to a broker that can be cut, and can stop passing on what is sent to it. */
+/**
+ * A TCP connection to a broker that can be cut, can stop passing on what is sent to it, and can end
+ * when a text is sent.
+ */
 final class Cable implements AutoCloseable {
   private final int target;
   private final ServerSocket server;
@@ -17,6 +23,7 @@ final class Cable implements AutoCloseable {
   private boolean connected;
   private boolean held;
   private boolean waits;
+  private @Nullable String forbidden;
 
   /** Creates a cable that is cut until {@link #connect}. */
   Cable(int target) throws IOException {
@@ -36,6 +43,17 @@ final class Cable implements AutoCloseable {
   /** Passes on nothing to the broker any more; the next cut loses what has arrived. */
   synchronized void hold() {
     held = true;
+  }
+
+  /**
+   * From now on, ends each connection over which a text is sent, such as a topic; null for none.
+   */
+  synchronized void endAt(@Nullable String text) {
+    forbidden = text;
+  }
+
+  private synchronized boolean isForbidden(String sent) {
+    return forbidden != null && sent.contains(forbidden);
   }
 
   private synchronized void awaitRelease() throws InterruptedException {
@@ -93,13 +111,16 @@ final class Cable implements AutoCloseable {
     }
   }
 
-  private void copy(Socket from, Socket to, boolean canBeHeld) {
+  private void copy(Socket from, Socket to, boolean toBroker) {
     byte[] buffer = new byte[8192];
     try (InputStream in = from.getInputStream();
         OutputStream out = to.getOutputStream()) {
       for (int read = in.read(buffer); read >= 0; read = in.read(buffer)) {
-        if (canBeHeld) {
+        if (toBroker) {
           awaitRelease();
+          if (isForbidden(new String(buffer, 0, read, ISO_8859_1))) {
+            return;
+          }
         }
         out.write(buffer, 0, read);
       }

@@ -11,6 +11,9 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import no.hials.crosscom.cell.TomlTable;
@@ -428,6 +431,61 @@ class SparkplugIT extends BrokerTest {
       assertThat(observer.on(NBIRTH)).hasSize(2);
     } finally {
       released.countDown();
+    }
+  }
+
+  @Test
+  void aDeviceWhoseDataEndTheConnectionIsDeadMeanwhile() throws Exception {
+    broker = Mosquitto.open(folder);
+    robot.variables().declare("TICKS", "INT", "0");
+    String read =
+        """
+        [robots.cell2]
+        host = "%s:%d"
+        [groups.all]
+        variables = ["TICKS"]
+        period = "50ms"
+        on-change = true
+        """
+            .formatted(robot.host(), robot.port());
+    try (Cable cable = new Cable(broker.port());
+        Observer observer = new Observer(broker.port()).subscribe("spBv1.0/#")) {
+      cable.endAt(DDATA);
+      cable.connect();
+      start(read + mqtt(cable, NODE));
+      observer.await(DBIRTH, "");
+
+      AtomicInteger ticks = new AtomicInteger();
+      BooleanSupplier isBlocked =
+          () -> {
+            robot.variables().set("TICKS", String.valueOf(ticks.incrementAndGet()));
+            LockSupport.parkNanos(20_000_000);
+            return lines.get().stream().anyMatch(it -> it.contains("the broker ends the"));
+          };
+      await(isBlocked);
+      observer.forget();
+      int before = ticks.get();
+      await(() -> isBlocked.getAsBoolean() && ticks.get() > before + 100);
+
+      assertThat(observer.on(DDATA)).isEmpty();
+      assertThat(observer.on(DDEATH).size()).isEqualTo(observer.on(DBIRTH).size());
+      cable.endAt(null);
+      await(() -> isBlocked.getAsBoolean() && !observer.on(DDATA).isEmpty());
+      assertSequence(observer.all());
+    }
+  }
+
+  private static void assertSequence(List<Mqtt5Publish> messages) {
+    long next = -1;
+    for (Mqtt5Publish message : messages) {
+      String topic = message.getTopic().toString();
+      if (topic.contains("/D") || topic.equals(NBIRTH)) {
+        long seq = decode(message).getSeq();
+        if (next >= 0 && seq != 0) {
+          assertThat(seq).as("the number of %s", topic).isEqualTo(next);
+        }
+        next = (seq + 1) % 256;
+      }
     }
   }
 

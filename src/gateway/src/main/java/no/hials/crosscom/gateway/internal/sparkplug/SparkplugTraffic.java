@@ -110,9 +110,16 @@ public final class SparkplugTraffic implements Traffic {
     }
   }
 
-  /** Returns whether a message about a device can be published now. */
+  /**
+   * Returns whether a message about a device can be published now. A device is not born while its
+   * values are held back.
+   */
   private boolean hasRoom(String type, Device device) {
-    return born && session.hasRoom(topic(type, device.name()));
+    return born && session.hasRoom(topic(type, device.name())) && !isHeldBack(device);
+  }
+
+  private boolean isHeldBack(Device device) {
+    return session.isHeldBack(topic("DDATA", device.name()));
   }
 
   private String topic(String type, String device) {
@@ -129,26 +136,21 @@ public final class SparkplugTraffic implements Traffic {
    * @return whether it was not refused
    */
   private boolean publish(Publication message, @Nullable Supplier<StoredMessage> spare) {
-    boolean accepted = isNext(message);
+    boolean accepted = session.accepts(message);
     if (accepted) {
       boolean unused = session.publish(message, spare);
     }
-    return accepted;
-  }
-
-  /** Returns whether a message is accepted. If so, it gets the number. */
-  private boolean isNext(Publication message) {
-    boolean accepted = session.accepts(message);
-    seq = accepted ? (seq + 1) % NUMBERS : seq;
-    return accepted;
+    return count(accepted);
   }
 
   /** Publishes a message without which others are not valid, with the next number. */
   private boolean publishNow(Publication message) {
-    boolean accepted = isNext(message);
-    if (accepted) {
-      session.publishNow(message, false);
-    }
+    return count(session.publishNow(message, false));
+  }
+
+  /** Counts a message that was not refused. Returns whether it was not. */
+  private boolean count(boolean accepted) {
+    seq = accepted ? (seq + 1) % NUMBERS : seq;
     return accepted;
   }
 
@@ -227,7 +229,14 @@ public final class SparkplugTraffic implements Traffic {
   private void publishNew(Device device) {
     boolean due = device.isBirthDue();
     if ((due || device.isBorn()) && !hasRoom(due ? "DBIRTH" : "DDATA", device)) {
-      store(device);
+      if (isHeldBack(device)) {
+        death(device); // otherwise its last values would seem to be the current ones
+      }
+      if (session.accepts(message("DDATA", device.name(), List.of()))) {
+        store(device);
+      } else {
+        var unused = device.takeUnsent();
+      }
     } else if (due) {
       birth(device);
     } else if (device.isBorn()) {
@@ -297,22 +306,24 @@ public final class SparkplugTraffic implements Traffic {
       session.skipStored(message);
       return true;
     }
-    if (!device.isBorn() || device.isChanged()) {
+    boolean accepted = session.accepts(message("DDATA", device.name(), metrics));
+    if (accepted && (!device.isBorn() || device.isChanged())) {
       if (!hasRoom("DBIRTH", device)) {
         return false;
       }
       birth(device);
-      if (device.isBorn() && !session.hasRoom()) {
-        return false; // after the birth
+      if (!device.isBorn()) {
+        session.lost("refused", 1);
+        accepted = false;
       }
     }
+    if (accepted && !hasRoom("DDATA", device)) {
+      return false; // perhaps after the birth
+    }
     session.lost("type", otherTypes);
-    Publication data = message("DDATA", device.name(), metrics);
-    if (!device.isBorn()) {
-      session.lost("refused", 1);
-      session.skipStored(message);
-    } else if (isNext(data)) {
-      session.publishStored(data, message);
+    if (accepted) {
+      boolean unused =
+          count(session.publishStored(message("DDATA", device.name(), metrics), message));
     } else {
       session.skipStored(message);
     }

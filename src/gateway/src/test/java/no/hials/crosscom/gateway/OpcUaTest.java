@@ -16,8 +16,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
@@ -31,10 +33,12 @@ import org.eclipse.milo.opcua.stack.core.UaException;
 import org.eclipse.milo.opcua.stack.core.types.builtin.DataValue;
 import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
+import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
 import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UByte;
 import org.eclipse.milo.opcua.stack.core.types.structured.EUInformation;
 import org.eclipse.milo.opcua.stack.core.types.structured.Range;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReferenceDescription;
+import org.eclipse.milo.opcua.stack.core.types.structured.WriteResponse;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -378,6 +382,33 @@ class OpcUaTest {
         .extracting(it -> it.request().toString())
         .hasSize(2)
         .noneMatch(it -> it.contains("value=12"));
+  }
+
+  @Test
+  void writesThatAClientSendsWithoutWaitingAreExecutedInOrder() throws Exception {
+    awaitGood(client, "cell1:$OV_PRO");
+    NodeId override = robots(client, "cell1:$OV_PRO");
+    OpcUaClient operator = plant.connect("anna", "of anna");
+    List<String> sent = new ArrayList<>();
+    try {
+      for (int round = 0; round < 10; round++) {
+        List<CompletableFuture<WriteResponse>> answers = new ArrayList<>();
+        for (int i = 0; i < 10; i++) {
+          int value = 10 * round + i;
+          sent.add("value=" + value + "]");
+          answers.add(operator.writeAsync(List.of(writeOf(override, value))));
+        }
+        for (CompletableFuture<WriteResponse> answer : answers) {
+          assertThat(answer.join().getResults()).containsExactly(StatusCode.GOOD);
+        }
+      }
+    } finally {
+      operator.disconnect();
+    }
+    assertThat(robot.requests())
+        .filteredOn(RecordedRequest::isWrite)
+        .extracting(it -> it.request().toString().replaceAll(".*(?=value=)", ""))
+        .containsExactlyElementsOf(sent);
   }
 
   private static boolean isWriteOf(RecordedRequest request, int value, CountDownLatch arrived) {

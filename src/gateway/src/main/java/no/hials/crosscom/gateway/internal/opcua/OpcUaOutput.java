@@ -100,14 +100,17 @@ final class OpcUaOutput implements Output {
     port = freePort();
     pki = Pki.open(context.folder().resolve("opcua").resolve("pki"), settings.host());
     writes = new RobotWrites(context);
+    WriteOrder order = new WriteOrder(writes);
     connections = new Connections(nanoTime);
     server =
         new OpcUaServer(
-            config(), profile -> new OpcTcpServerTransport(connections.transport(executor)));
+            config(),
+            profile -> order.transport(new OpcTcpServerTransport(connections.transport(executor))));
     protectDiagnostics();
     connections.watch(server, users);
+    server.addServiceSet("/", order.services(server));
     types = new CompanionTypes(server);
-    namespace = new RobotsNamespace(server, types, writes);
+    namespace = new RobotsNamespace(server, types, writes, order);
     subscriptions = new Subscriptions(server);
     types.startup();
     namespace.startup();

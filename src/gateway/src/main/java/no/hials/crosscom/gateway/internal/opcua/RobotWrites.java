@@ -44,6 +44,14 @@ final class RobotWrites {
   private volatile boolean closed;
 
   /**
+   * When a request has arrived.
+   *
+   * @param sent the time at which it may have been sent
+   * @param pause how long the gateway was frozen just before, or zero
+   */
+  record Arrival(long sent, Duration pause) {}
+
+  /**
    * A request of a client, with one or more writes.
    *
    * @param who the user, for the audit log
@@ -69,22 +77,26 @@ final class RobotWrites {
     List.of("done", "failed", "refused", "unknown").forEach(results::initLabelValues);
   }
 
+  /** Returns the arrival of a request that arrives now. */
+  Arrival arrival() {
+    Duration pause = pauses.justOver();
+    // it may have been sent before the pause
+    return new Arrival(nanoTime.getAsLong() - pause.toNanos(), pause);
+  }
+
   /**
-   * Returns a request that was received now.
+   * Returns a request.
    *
    * @param timeout how long the client waits for its answer; zero if it does not tell
    */
-  Request request(User user, Duration timeout, BooleanSupplier isWanted) {
-    Duration pause = pauses.justOver();
-    // it may have been sent before the pause
-    long sent = nanoTime.getAsLong() - pause.toNanos();
-    long latest = sent + RobotThreads.LONGEST_WAIT.toNanos();
+  static Request request(Arrival arrival, User user, Duration timeout, BooleanSupplier isWanted) {
+    long latest = arrival.sent() + RobotThreads.LONGEST_WAIT.toNanos();
     return new Request(
         "opcua:" + user.name(),
         latest,
-        timeout.isZero() ? latest : sent + timeout.toNanos(),
+        timeout.isZero() ? latest : arrival.sent() + timeout.toNanos(),
         isWanted,
-        pause);
+        arrival.pause());
   }
 
   /** Writes a value, waits for the result, and returns its status. */

@@ -33,12 +33,14 @@ final class RobotsNamespace extends StaticNamespace {
 
   private final CompanionTypes types;
   private final RobotWrites writes;
+  private final WriteOrder order;
   private final Map<NodeId, Set<DataItem>> items = new ConcurrentHashMap<>();
 
-  RobotsNamespace(OpcUaServer server, CompanionTypes types, RobotWrites writes) {
+  RobotsNamespace(OpcUaServer server, CompanionTypes types, RobotWrites writes, WriteOrder order) {
     super(server, URI);
     this.types = types;
     this.writes = writes;
+    this.order = order;
   }
 
   CompanionTypes types() {
@@ -125,7 +127,8 @@ final class RobotsNamespace extends StaticNamespace {
     Session session = context.getSession().orElse(null);
     User user = session == null ? User.ANONYMOUS : Users.of(session);
     RobotWrites.Request request =
-        writes.request(
+        RobotWrites.request(
+            order.arrival(),
             user,
             Duration.ofMillis(context.getTimeoutHint().longValue()),
             () -> session != null && exists(session));

@@ -88,7 +88,7 @@ class RobotWritesTest {
   }
 
   private RobotWrites.Request request() {
-    return writes.request(ANNA, Duration.ZERO, wanted::get);
+    return RobotWrites.request(writes.arrival(), ANNA, Duration.ZERO, wanted::get);
   }
 
   private CompletableFuture<Long> write(RobotWrites.Request request, String value) {
@@ -166,9 +166,9 @@ class RobotWritesTest {
   void aWriteThatItsClientNoLongerWaitsForIsRefusedWithALineInTheAuditLog() throws Exception {
     CompletableFuture<Long> slow = beginSlowWrite();
     CompletableFuture<Long> next =
-        write(writes.request(ANNA, Duration.ofSeconds(1), wanted::get), "3");
+        write(RobotWrites.request(writes.arrival(), ANNA, Duration.ofSeconds(1), wanted::get), "3");
     CompletableFuture<Long> patient =
-        write(writes.request(ANNA, Duration.ofSeconds(4), wanted::get), "4");
+        write(RobotWrites.request(writes.arrival(), ANNA, Duration.ofSeconds(4), wanted::get), "4");
 
     now.set(Duration.ofSeconds(1).toNanos() + 1);
     released.countDown();
@@ -183,7 +183,8 @@ class RobotWritesTest {
   @Test
   void aWriteThatArrivesAfterAPauseOfTheGatewayIsRefusedWithALineInTheAuditLog() throws Exception {
     pause.set(Duration.ofMillis(600).toNanos());
-    RobotWrites.Request hasty = writes.request(ANNA, Duration.ofMillis(600), wanted::get);
+    RobotWrites.Request hasty =
+        RobotWrites.request(writes.arrival(), ANNA, Duration.ofMillis(600), wanted::get);
     assertThat(write(hasty, "3").join()).isEqualTo(StatusCodes.Bad_RequestTimeout);
     assertThat(write(request(), "4").join()).isEqualTo(StatusCodes.Good);
 
@@ -223,7 +224,8 @@ class RobotWritesTest {
   @Test
   void aWriteThatWaitsForAReadingLongerThanItsClientWaitsIsNotSent() throws Exception {
     CompletableFuture<String> reading = beginSlowReading();
-    RobotWrites.Request request = writes.request(ANNA, Duration.ofMillis(20), wanted::get);
+    RobotWrites.Request request =
+        RobotWrites.request(writes.arrival(), ANNA, Duration.ofMillis(20), wanted::get);
 
     assertThat(write(request, "3").join()).isEqualTo(StatusCodes.Bad_RequestTimeout);
 
@@ -233,7 +235,8 @@ class RobotWritesTest {
   @Test
   void aWriteThatWaitsForAReadingLongerThanTheLimitIsNotSent() throws Exception {
     CompletableFuture<String> reading = beginSlowReading();
-    RobotWrites.Request request = writes.request(ANNA, Duration.ofSeconds(9), wanted::get);
+    RobotWrites.Request request =
+        RobotWrites.request(writes.arrival(), ANNA, Duration.ofSeconds(9), wanted::get);
     now.set(Duration.ofSeconds(5).minusMillis(20).toNanos());
 
     assertThat(write(request, "3").join()).isEqualTo(StatusCodes.Bad_TooManyOperations);

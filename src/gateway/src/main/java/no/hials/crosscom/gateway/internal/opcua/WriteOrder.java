@@ -1,0 +1,202 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import io.netty.channel.Channel;
+import java.net.InetSocketAddress;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import no.hials.crosscom.gateway.internal.writing.RobotThreads;
+import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
+import org.eclipse.milo.opcua.sdk.server.servicesets.AttributeServiceSet;
+import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultAttributeServiceSet;
+import org.eclipse.milo.opcua.stack.core.StatusCodes;
+import org.eclipse.milo.opcua.stack.core.UaException;
+import org.eclipse.milo.opcua.stack.core.encoding.EncodingContext;
+import org.eclipse.milo.opcua.stack.core.security.CertificateManager;
+import org.eclipse.milo.opcua.stack.core.types.UaRequestMessageType;
+import org.eclipse.milo.opcua.stack.core.types.UaResponseMessageType;
+import org.eclipse.milo.opcua.stack.core.types.structured.EndpointDescription;
+import org.eclipse.milo.opcua.stack.core.types.structured.WriteRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.WriteResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.WriteValue;
+import org.eclipse.milo.opcua.stack.transport.server.OpcServerTransport;
+import org.eclipse.milo.opcua.stack.transport.server.ServerApplicationContext;
+import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
+import org.jspecify.annotations.Nullable;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Runs the writes of a connection to a robot one after the other, in the order of their arrival:
+ * Milo runs each request on a thread of a pool, so that the second could overtake the first.
+ * Thread-safe.
+ */
+final class WriteOrder {
+  private static final Logger LOG = LoggerFactory.getLogger(WriteOrder.class);
+
+  /** The arrival of the request that a thread runs: Milo does not pass it on. */
+  private static final ThreadLocal<RobotWrites.Arrival> CURRENT = new ThreadLocal<>();
+
+  private final RobotWrites writes;
+
+  /** The requests of each line that are not answered. The first one runs. */
+  private final Map<Line, Deque<CompletableFuture<Void>>> lines = new HashMap<>();
+
+  private final Map<ServiceRequestContext, RobotWrites.Arrival> arrivals =
+      new ConcurrentHashMap<>();
+
+  /** The writes of a connection to a robot. */
+  private record Line(Channel connection, String robot) {}
+
+  WriteOrder(RobotWrites writes) {
+    this.writes = writes;
+  }
+
+  /** Returns when the request has arrived that this thread runs. */
+  RobotWrites.Arrival arrival() {
+    RobotWrites.@Nullable Arrival arrival = CURRENT.get();
+    return arrival == null ? writes.arrival() : arrival;
+  }
+
+  /** Returns a transport that passes on the requests of another one in order. */
+  OpcServerTransport transport(OpcServerTransport transport) {
+    return new OpcServerTransport() {
+      @Override
+      public void bind(ServerApplicationContext server, InetSocketAddress address)
+          throws Exception {
+        transport.bind(new Ordered(server), address);
+      }
+
+      @Override
+      public void unbind() throws Exception {
+        transport.unbind();
+      }
+    };
+  }
+
+  /** Returns the services that read and write. */
+  AttributeServiceSet services(OpcUaServer server) {
+    return new DefaultAttributeServiceSet(server) {
+      @Override
+      public WriteResponse onWrite(ServiceRequestContext context, WriteRequest request)
+          throws UaException {
+        CURRENT.set(arrivals.get(context));
+        try {
+          return super.onWrite(context, request);
+        } catch (RuntimeException e) {
+          // Milo would not answer
+          LOG.warn("OPC UA: a write has failed", e);
+          throw new UaException(StatusCodes.Bad_InternalError, e);
+        } finally {
+          CURRENT.remove();
+        }
+      }
+    };
+  }
+
+  private static Set<Line> lines(Channel connection, WriteRequest request) {
+    Set<Line> all = new HashSet<>();
+    WriteValue[] values = request.getNodesToWrite();
+    for (WriteValue value : values == null ? new WriteValue[0] : values) {
+      if (value.getNodeId().getIdentifier() instanceof String id) {
+        all.add(new Line(connection, id.substring(0, Math.max(0, id.indexOf(':')))));
+      }
+    }
+    return all;
+  }
+
+  /** Adds a request to its lines, and returns what completes when those before it are answered. */
+  private synchronized CompletableFuture<Void> enter(Set<Line> of, CompletableFuture<Void> answered)
+      throws UaException {
+    List<CompletableFuture<Void>> before = new ArrayList<>();
+    for (Line line : of) {
+      Deque<CompletableFuture<Void>> waiting = lines.getOrDefault(line, new ArrayDeque<>());
+      if (waiting.size() > RobotThreads.MAX_WAITING) {
+        throw new UaException(StatusCodes.Bad_TooManyOperations);
+      }
+      if (!waiting.isEmpty()) {
+        before.add(waiting.getLast());
+      }
+    }
+    of.forEach(line -> lines.computeIfAbsent(line, it -> new ArrayDeque<>()).add(answered));
+    return CompletableFuture.allOf(before.toArray(CompletableFuture[]::new));
+  }
+
+  /** Removes the first request of some lines. */
+  private synchronized void leave(Set<Line> of) {
+    for (Line line : of) {
+      lines.computeIfPresent(
+          line,
+          (it, waiting) -> {
+            waiting.removeFirst();
+            return waiting.isEmpty() ? null : waiting;
+          });
+    }
+  }
+
+  /** The server as the transport sees it. */
+  private final class Ordered implements ServerApplicationContext {
+    private final ServerApplicationContext server;
+
+    Ordered(ServerApplicationContext server) {
+      this.server = server;
+    }
+
+    /** Called with the requests of a connection in the order of their arrival. */
+    @Override
+    public CompletableFuture<UaResponseMessageType> handleServiceRequest(
+        ServiceRequestContext context, UaRequestMessageType request) {
+      if (!(request instanceof WriteRequest write)) {
+        return server.handleServiceRequest(context, request);
+      }
+      Set<Line> of = lines(context.getChannel(), write);
+      CompletableFuture<Void> answered = new CompletableFuture<>();
+      CompletableFuture<Void> turn;
+      try {
+        turn = enter(of, answered);
+      } catch (UaException e) {
+        return CompletableFuture.failedFuture(e);
+      }
+      arrivals.put(context, writes.arrival());
+      return turn.thenCompose(first -> server.handleServiceRequest(context, request))
+          .whenComplete(
+              (response, failure) -> {
+                arrivals.remove(context);
+                leave(of);
+                answered.complete(null);
+              });
+    }
+
+    @Override
+    public List<EndpointDescription> getEndpointDescriptions() {
+      return server.getEndpointDescriptions();
+    }
+
+    @Override
+    public CertificateManager getCertificateManager() {
+      return server.getCertificateManager();
+    }
+
+    @Override
+    public EncodingContext getEncodingContext() {
+      return server.getEncodingContext();
+    }
+
+    @Override
+    public Long getNextSecureChannelId() {
+      return server.getNextSecureChannelId();
+    }
+
+    @Override
+    public Long getNextSecureChannelTokenId() {
+      return server.getNextSecureChannelTokenId();
+    }
+  }
+}

@@ -1,5 +1,6 @@
 package no.hials.crosscom.gateway;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -16,7 +17,13 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Predicate;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.logging.StreamHandler;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.gateway.internal.prometheus.PrometheusKind;
@@ -186,5 +193,33 @@ class PrometheusTest {
         socket.close();
       }
     }
+  }
+
+  @Test
+  void aScraperThatGoesAwayLogsNothing() throws Exception {
+    Queue<LogRecord> records = new ConcurrentLinkedQueue<>();
+    Handler handler =
+        new StreamHandler() {
+          @Override
+          public synchronized void publish(LogRecord one) {
+            records.add(one);
+          }
+        };
+    Logger logger = Logger.getLogger("io.prometheus");
+    logger.addHandler(handler);
+    try {
+      for (int i = 0; i < 100; i++) {
+        try (Socket scraper = new Socket(InetAddress.getLoopbackAddress(), port)) {
+          scraper.setSoLinger(true, 0);
+          scraper
+              .getOutputStream()
+              .write("GET /metrics HTTP/1.1\r\nHost: x\r\n\r\n".getBytes(UTF_8));
+        }
+        String unused = await(text -> text.contains("cell1"));
+      }
+    } finally {
+      logger.removeHandler(handler);
+    }
+    assertThat(records).isEmpty();
   }
 }

@@ -13,6 +13,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import java.util.logging.Level;
 import no.hials.crosscom.cell.HostAndPort;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -31,7 +32,15 @@ final class PrometheusOutput implements Output {
   /** The number of requests that are answered at the same time. */
   private static final int MAX_REQUESTS = 64;
 
+  /**
+   * Prints a stack trace for each scraper that goes away. Kept here, because a logger to which
+   * nothing refers forgets its level.
+   */
+  private static final java.util.logging.Logger OF_LOST_SCRAPERS =
+      java.util.logging.Logger.getLogger("io.prometheus.metrics.exporter.httpserver");
+
   static {
+    OF_LOST_SCRAPERS.setLevel(Level.OFF);
     // seconds; the server of the JDK reads them once, and waits without an end by default
     setIfAbsent("sun.net.httpserver.maxReqTime", "5");
     setIfAbsent("sun.net.httpserver.maxRspTime", "30");

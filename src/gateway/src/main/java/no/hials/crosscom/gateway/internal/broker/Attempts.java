@@ -43,6 +43,9 @@ final class Attempts {
   /** Called when an attempt has succeeded. */
   void connected() {
     connectedAt = System.nanoTime();
+    if (!lastFailure.isEmpty()) {
+      delay = FIRST_DELAY; // it has waited for the broker, not because connections end soon
+    }
     lastFailure = "";
   }
 

@@ -129,7 +129,8 @@ class RobotSourceTest {
       source.resumed("held again");
       held.set(true);
       item = next(queue);
-      assertThat(item.gap().reason()).isEqualTo("held again");
+      // and a second reason if the robot was due just before the lease was held
+      assertThat(item.gap().reason()).startsWith("held again");
       assertThat(item.gap().from()).isAfterOrEqualTo(before.time());
     }
   }
@@ -160,12 +161,12 @@ class RobotSourceTest {
         read += isGood(item) ? 1 : 0;
         if (item.gap() != null) {
           missed += item.gap().missed();
-          resumed |= item.gap().reason().equals("frozen");
+          resumed |= item.gap().reason().contains("frozen");
         }
         item = next(queue);
       }
       long planned = Duration.between(before.time(), item.time()).toMillis() / 10;
-      assertThat(planned).isGreaterThan(150);
+      assertThat(planned).isGreaterThanOrEqualTo(150);
       assertThat(read + missed).isBetween(planned - 5, planned + 5);
     }
   }

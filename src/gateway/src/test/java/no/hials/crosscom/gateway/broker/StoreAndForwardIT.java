@@ -93,6 +93,7 @@ class StoreAndForwardIT extends BrokerTest {
         List<Mqtt5Publish> stored = all.stream().filter(it -> !it.isRetain()).toList();
         assertThat(numbers(stored)).isSorted().containsAll(upTo(200).subList(20, 200));
         assertThat(figure(reading, "mqtt_messages_dropped")).isZero();
+        await(() -> lines.get().contains("MQTT plain: all stored messages are forwarded"));
       }
       try (Observer late = new Observer(broker.port()).subscribe(COUNTER)) {
         assertThat(number(late.await(all -> !all.isEmpty()).get(0))).contains(220);

@@ -58,11 +58,9 @@ public final class Session implements AutoCloseable {
   private @Nullable MessageStore store;
   private @Nullable Traffic traffic;
   private boolean connected;
-
-  /** When the broker has last answered, or when it has begun to owe an answer. */
-  private long lastAnswer;
-
+  private long lastAnswer; // or when the broker has begun to owe an answer
   private boolean forwarding;
+  private boolean forwardsOutage; // and not only what had to wait for room
   private long droppedStored;
   private long now = System.nanoTime(); // the same during a task, so that room stays room
   private long nextTick = now;
@@ -367,15 +365,16 @@ public final class Session implements AutoCloseable {
     }
     if (connected && forwarding && store().isEmpty()) {
       forwarding = false;
-      if (droppedStored == 0) {
+      if (droppedStored == 0 && forwardsOutage) {
         LOG.info("MQTT {}: all stored messages are forwarded", name);
-      } else {
+      } else if (droppedStored > 0) {
         LOG.warn(
             "MQTT {}: the stored messages are forwarded, but {} of them or of their"
                 + " values are lost: the robot or value is no longer there, or has another type",
             name,
             droppedStored);
       }
+      forwardsOutage = false;
       droppedStored = 0;
       traffic().forwarded();
     }
@@ -424,8 +423,8 @@ public final class Session implements AutoCloseable {
     attempts.connected();
     culprits.connected(System.nanoTime());
     figures.connected.set(1);
-    String stored =
-        store().isEmpty() ? "" : ", " + store().size() + " stored messages are forwarded";
+    forwardsOutage = !store().isEmpty();
+    String stored = forwardsOutage ? ", " + store().size() + " stored messages are forwarded" : "";
     LOG.info("MQTT {}: connected to {}{}", name, settings.url(), stored);
     refusals.clear();
     store().reachedBroker();

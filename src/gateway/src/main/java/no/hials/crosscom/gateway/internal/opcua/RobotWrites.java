@@ -130,7 +130,9 @@ final class RobotWrites {
           threads.of(robot).submit(() -> writeNow(request, robot, variable, text));
       return result.get();
     } catch (RejectedExecutionException e) {
-      return closed ? StatusCodes.Bad_Shutdown : StatusCodes.Bad_TooManyOperations;
+      return closed
+          ? writeNow(request, robot, variable, text) // which refuses it
+          : StatusCodes.Bad_TooManyOperations;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       return StatusCodes.Bad_Timeout;

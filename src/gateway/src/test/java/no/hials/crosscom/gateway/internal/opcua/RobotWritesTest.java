@@ -147,6 +147,18 @@ class RobotWritesTest {
   }
 
   @Test
+  void aWriteAfterTheEndIsRefusedWithALineInTheAuditLog() throws Exception {
+    assertThat(write(request(), "2").join()).isEqualTo(StatusCodes.Good);
+    writes.close();
+
+    assertThat(write(request(), "3").join()).isEqualTo(StatusCodes.Bad_Shutdown);
+
+    assertThat(server.variables().get("MYINT")).isEqualTo("2");
+    assertThat(Files.readString(folder.resolve("audit.jsonl")))
+        .contains("\"after\":\"3\",\"result\":\"not written: the gateway ends\"");
+  }
+
+  @Test
   void aWriteWhoseSessionHasEndedIsRefusedWithALineInTheAuditLog() throws Exception {
     CompletableFuture<Long> slow = beginSlowWrite();
     CompletableFuture<Long> next = write(request(), "3");

@@ -77,6 +77,11 @@ final class RobotWrites {
     List.of("done", "failed", "refused", "unknown").forEach(results::initLabelValues);
   }
 
+  /** Returns whether the gateway has a robot. */
+  boolean hasRobot(String name) {
+    return context.robot(name) != null;
+  }
+
   /** Returns the arrival of a request that arrives now. */
   Arrival arrival() {
     Duration pause = pauses.justOver();

@@ -41,6 +41,9 @@ import org.slf4j.LoggerFactory;
 final class WriteOrder {
   private static final Logger LOG = LoggerFactory.getLogger(WriteOrder.class);
 
+  /** The maximum number of requests of a connection, if one waits: each takes memory. */
+  private static final int MAX_OF_CONNECTION = 50;
+
   /** The arrival of the request that a thread runs: Milo does not pass it on. */
   private static final ThreadLocal<RobotWrites.Arrival> CURRENT = new ThreadLocal<>();
 
@@ -48,6 +51,9 @@ final class WriteOrder {
 
   /** The requests of each line that are not answered. The first one runs. */
   private final Map<Line, Deque<CompletableFuture<Void>>> lines = new HashMap<>();
+
+  /** The number of requests of each connection that are not answered. */
+  private final Map<Channel, Integer> requests = new HashMap<>();
 
   private final Map<ServiceRequestContext, RobotWrites.Arrival> arrivals =
       new ConcurrentHashMap<>();
@@ -101,20 +107,23 @@ final class WriteOrder {
     };
   }
 
-  private static Set<Line> lines(Channel connection, WriteRequest request) {
+  private Set<Line> lines(Channel connection, WriteRequest request) {
     Set<Line> all = new HashSet<>();
     WriteValue[] values = request.getNodesToWrite();
     for (WriteValue value : values == null ? new WriteValue[0] : values) {
       if (value.getNodeId().getIdentifier() instanceof String id) {
-        all.add(new Line(connection, id.substring(0, Math.max(0, id.indexOf(':')))));
+        String robot = id.substring(0, Math.max(0, id.indexOf(':')));
+        if (writes.hasRobot(robot)) {
+          all.add(new Line(connection, robot));
+        }
       }
     }
     return all;
   }
 
   /** Adds a request to its lines, and returns what completes when those before it are answered. */
-  private synchronized CompletableFuture<Void> enter(Set<Line> of, CompletableFuture<Void> answered)
-      throws UaException {
+  private synchronized CompletableFuture<Void> enter(
+      Channel connection, Set<Line> of, CompletableFuture<Void> answered) throws UaException {
     List<CompletableFuture<Void>> before = new ArrayList<>();
     for (Line line : of) {
       Deque<CompletableFuture<Void>> waiting = lines.getOrDefault(line, new ArrayDeque<>());
@@ -125,12 +134,18 @@ final class WriteOrder {
         before.add(waiting.getLast());
       }
     }
+    int all = requests.getOrDefault(connection, 0);
+    if (!before.isEmpty() && all >= MAX_OF_CONNECTION) {
+      throw new UaException(StatusCodes.Bad_TooManyOperations);
+    }
+    requests.put(connection, all + 1);
     of.forEach(line -> lines.computeIfAbsent(line, it -> new ArrayDeque<>()).add(answered));
     return CompletableFuture.allOf(before.toArray(CompletableFuture[]::new));
   }
 
-  /** Removes the first request of some lines. */
-  private synchronized void leave(Set<Line> of) {
+  /** Removes a request, which is the first one of its lines. */
+  private synchronized void leave(Channel connection, Set<Line> of) {
+    requests.computeIfPresent(connection, (it, all) -> all == 1 ? null : all - 1);
     for (Line line : of) {
       lines.computeIfPresent(
           line,
@@ -160,7 +175,7 @@ final class WriteOrder {
       CompletableFuture<Void> answered = new CompletableFuture<>();
       CompletableFuture<Void> turn;
       try {
-        turn = enter(of, answered);
+        turn = enter(context.getChannel(), of, answered);
       } catch (UaException e) {
         return CompletableFuture.failedFuture(e);
       }
@@ -169,7 +184,7 @@ final class WriteOrder {
           .whenComplete(
               (response, failure) -> {
                 arrivals.remove(context);
-                leave(of);
+                leave(context.getChannel(), of);
                 answered.complete(null);
               });
     }

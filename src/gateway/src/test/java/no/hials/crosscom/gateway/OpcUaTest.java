@@ -411,6 +411,43 @@ class OpcUaTest {
         .containsExactlyElementsOf(sent);
   }
 
+  @Test
+  void aConnectionHasAtMost50UnansweredWritesToRobots() throws Exception {
+    String patient = config().replace("1s", "20s");
+    String cell1 = patient.substring(0, patient.indexOf("[limits]"));
+    plant.apply(cell1.replace("cell1", "cell2") + cell1.replace("cell1", "cell3") + patient);
+    List<String> overrides = List.of("cell1:$OV_PRO", "cell2:$OV_PRO", "cell3:$OV_PRO");
+    for (String override : overrides) {
+      awaitGood(client, override);
+    }
+    CountDownLatch released = new CountDownLatch(1);
+    robot.fault(RecordedRequest::isWrite, Fault.hold(released));
+    OpcUaClient operator = plant.connect("anna", "of anna");
+    List<CompletableFuture<WriteResponse>> answers = new ArrayList<>();
+    try {
+      for (String override : overrides) {
+        for (int i = 0; i < 17; i++) {
+          answers.add(operator.writeAsync(List.of(writeOf(robots(client, override), i))));
+        }
+      }
+
+      assertThatThrownBy(() -> answers.get(50).join())
+          .hasCauseInstanceOf(UaException.class)
+          .extracting(it -> ((UaException) it.getCause()).getStatusCode().value())
+          .isEqualTo(StatusCodes.Bad_TooManyOperations);
+      assertThat(answers.subList(0, 50)).noneMatch(CompletableFuture::isDone);
+
+      released.countDown();
+      for (CompletableFuture<WriteResponse> answer : answers.subList(0, 50)) {
+        assertThat(answer.join().getResults()).containsExactly(StatusCode.GOOD);
+      }
+      assertThat(write(operator, robots(client, "cell3:$OV_PRO"), 50)).isEqualTo(StatusCodes.Good);
+    } finally {
+      released.countDown();
+      operator.disconnect();
+    }
+  }
+
   private static boolean isWriteOf(RecordedRequest request, int value, CountDownLatch arrived) {
     boolean is = request.isWrite() && request.request().toString().contains("value=" + value);
     if (is) {

@@ -18,6 +18,7 @@ import org.eclipse.milo.opcua.sdk.server.servicesets.AttributeServiceSet;
 import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultAttributeServiceSet;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
+import org.eclipse.milo.opcua.stack.core.channel.SecurityKeysListener;
 import org.eclipse.milo.opcua.stack.core.encoding.EncodingContext;
 import org.eclipse.milo.opcua.stack.core.security.CertificateManager;
 import org.eclipse.milo.opcua.stack.core.types.UaRequestMessageType;
@@ -212,6 +213,11 @@ final class WriteOrder {
     @Override
     public Long getNextSecureChannelTokenId() {
       return server.getNextSecureChannelTokenId();
+    }
+
+    @Override
+    public SecurityKeysListener getSecurityKeysListener() {
+      return server.getSecurityKeysListener();
     }
   }
 }

@@ -229,13 +229,15 @@ public final class SparkplugTraffic implements Traffic {
   private void publishNew(Device device) {
     boolean due = device.isBirthDue();
     if ((due || device.isBorn()) && !hasRoom(due ? "DBIRTH" : "DDATA", device)) {
+      boolean refused = false;
       if (isHeldBack(device)) {
         death(device); // otherwise its last values would seem to be the current ones
+        refused = !session.accepts(message("DDATA", device.name(), List.of()));
       }
-      if (session.accepts(message("DDATA", device.name(), List.of()))) {
-        store(device);
-      } else {
+      if (refused) {
         var unused = device.takeUnsent();
+      } else {
+        store(device);
       }
     } else if (due) {
       birth(device);

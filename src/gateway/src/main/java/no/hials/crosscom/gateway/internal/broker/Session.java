@@ -123,7 +123,7 @@ public final class Session implements AutoCloseable {
     }
   }
 
-  /** Publishes a message at once, unless it is refused; only while it is connected. */
+  /** Publishes a message at once; returns false if it is refused. Only while it is connected. */
   public boolean publishNow(Publication message, boolean isAnswer) {
     return send(message, Outgoing.atOnce(message, isAnswer, System.nanoTime()));
   }
@@ -182,7 +182,7 @@ public final class Session implements AutoCloseable {
     return forwarding;
   }
 
-  /** Publishes a stored message, unless it is refused; for {@link Traffic#forward}. */
+  /** Publishes a stored message; returns false if it is refused. For {@link Traffic#forward}. */
   public boolean publishStored(Publication message, StoredMessage stored) {
     String as = culprits.name(message.topic(), stored);
     return send(message, Outgoing.stored(message, stored, as, System.nanoTime()));

@@ -8,7 +8,6 @@ import static no.hials.crosscom.gateway.OpcUaPlant.read;
 import static no.hials.crosscom.gateway.OpcUaPlant.robots;
 import static no.hials.crosscom.gateway.OpcUaPlant.subscribe;
 import static no.hials.crosscom.gateway.OpcUaPlant.write;
-import static no.hials.crosscom.gateway.OpcUaPlant.writeOf;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -16,14 +15,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
 import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.RecordedRequest;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.AttributeId;
@@ -33,12 +28,10 @@ import org.eclipse.milo.opcua.stack.core.UaException;
 import org.eclipse.milo.opcua.stack.core.types.builtin.DataValue;
 import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
-import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
 import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UByte;
 import org.eclipse.milo.opcua.stack.core.types.structured.EUInformation;
 import org.eclipse.milo.opcua.stack.core.types.structured.Range;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReferenceDescription;
-import org.eclipse.milo.opcua.stack.core.types.structured.WriteResponse;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -349,111 +342,6 @@ class OpcUaTest {
         .filteredOn(it -> it.request().toString().contains("value=77"))
         .hasSize(1);
     assertThat(audit()).contains("the outcome is unknown");
-  }
-
-  @Test
-  void aWriteThatWaitsWhenItsClientLogsOutIsNotSent() throws Exception {
-    plant.apply(config().replace("1s", "20s"));
-    awaitGood(client, "cell1:$OV_PRO");
-    NodeId override = robots(client, "cell1:$OV_PRO");
-    CountDownLatch arrived = new CountDownLatch(1);
-    CountDownLatch released = new CountDownLatch(1);
-    robot.fault(it -> isWriteOf(it, 11, arrived), Fault.hold(released));
-    OpcUaClient leaving = plant.connect("anna", "of anna");
-    OpcUaClient staying = plant.connect("anna", "of anna");
-    try {
-      var unusedSlow = leaving.writeAsync(List.of(writeOf(override, 11)));
-      arrived.await();
-      var unusedWaiting = leaving.writeAsync(List.of(writeOf(override, 12)));
-      for (int i = 0; i < 20; i++) {
-        // the server has begun the write by then
-        read(leaving, override);
-      }
-      leaving.disconnect();
-      released.countDown();
-
-      assertThat(write(staying, override, 13)).isEqualTo(StatusCodes.Good);
-    } finally {
-      released.countDown();
-      staying.disconnect();
-    }
-    assertThat(robot.requests())
-        .filteredOn(RecordedRequest::isWrite)
-        .extracting(it -> it.request().toString())
-        .hasSize(2)
-        .noneMatch(it -> it.contains("value=12"));
-  }
-
-  @Test
-  void writesThatAClientSendsWithoutWaitingAreExecutedInOrder() throws Exception {
-    awaitGood(client, "cell1:$OV_PRO");
-    NodeId override = robots(client, "cell1:$OV_PRO");
-    OpcUaClient operator = plant.connect("anna", "of anna");
-    List<String> sent = new ArrayList<>();
-    try {
-      for (int round = 0; round < 10; round++) {
-        List<CompletableFuture<WriteResponse>> answers = new ArrayList<>();
-        for (int i = 0; i < 10; i++) {
-          int value = 10 * round + i;
-          sent.add("value=" + value + "]");
-          answers.add(operator.writeAsync(List.of(writeOf(override, value))));
-        }
-        for (CompletableFuture<WriteResponse> answer : answers) {
-          assertThat(answer.join().getResults()).containsExactly(StatusCode.GOOD);
-        }
-      }
-    } finally {
-      operator.disconnect();
-    }
-    assertThat(robot.requests())
-        .filteredOn(RecordedRequest::isWrite)
-        .extracting(it -> it.request().toString().replaceAll(".*(?=value=)", ""))
-        .containsExactlyElementsOf(sent);
-  }
-
-  @Test
-  void aConnectionHasAtMost50UnansweredWritesToRobots() throws Exception {
-    String patient = config().replace("1s", "20s");
-    String cell1 = patient.substring(0, patient.indexOf("[limits]"));
-    plant.apply(cell1.replace("cell1", "cell2") + cell1.replace("cell1", "cell3") + patient);
-    List<String> overrides = List.of("cell1:$OV_PRO", "cell2:$OV_PRO", "cell3:$OV_PRO");
-    for (String override : overrides) {
-      awaitGood(client, override);
-    }
-    CountDownLatch released = new CountDownLatch(1);
-    robot.fault(RecordedRequest::isWrite, Fault.hold(released));
-    OpcUaClient operator = plant.connect("anna", "of anna");
-    List<CompletableFuture<WriteResponse>> answers = new ArrayList<>();
-    try {
-      for (String override : overrides) {
-        for (int i = 0; i < 17; i++) {
-          answers.add(operator.writeAsync(List.of(writeOf(robots(client, override), i))));
-        }
-      }
-
-      assertThatThrownBy(() -> answers.get(50).join())
-          .hasCauseInstanceOf(UaException.class)
-          .extracting(it -> ((UaException) it.getCause()).getStatusCode().value())
-          .isEqualTo(StatusCodes.Bad_TooManyOperations);
-      assertThat(answers.subList(0, 50)).noneMatch(CompletableFuture::isDone);
-
-      released.countDown();
-      for (CompletableFuture<WriteResponse> answer : answers.subList(0, 50)) {
-        assertThat(answer.join().getResults()).containsExactly(StatusCode.GOOD);
-      }
-      assertThat(write(operator, robots(client, "cell3:$OV_PRO"), 50)).isEqualTo(StatusCodes.Good);
-    } finally {
-      released.countDown();
-      operator.disconnect();
-    }
-  }
-
-  private static boolean isWriteOf(RecordedRequest request, int value, CountDownLatch arrived) {
-    boolean is = request.isWrite() && request.request().toString().contains("value=" + value);
-    if (is) {
-      arrived.countDown();
-    }
-    return is;
   }
 
   @Test

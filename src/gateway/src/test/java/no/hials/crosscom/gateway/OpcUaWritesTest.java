@@ -6,7 +6,6 @@ import static no.hials.crosscom.gateway.OpcUaPlant.robots;
 import static no.hials.crosscom.gateway.OpcUaPlant.write;
 import static no.hials.crosscom.gateway.OpcUaPlant.writeOf;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -137,40 +136,59 @@ class OpcUaWritesTest {
         .containsExactlyElementsOf(sent);
   }
 
+  /** Writes a value, with text that makes the request that much larger. */
+  private CompletableFuture<Object> writeAsync(OpcUaClient from, int value, int size) {
+    NodeId override = robots(from, "cell1:$OV_PRO");
+    NodeId large = robots(from, "cell1:" + "x".repeat(size));
+    return from.writeAsync(List.of(writeOf(override, value), writeOf(large, 0)))
+        .handle(
+            (response, failure) ->
+                failure == null
+                    ? response.getResults()[0]
+                    : ((UaException) failure.getCause()).getStatusCode());
+  }
+
   @Test
-  void aConnectionHasAtMost50UnansweredWritesToRobots() throws Exception {
-    String cell1 = config().substring(0, config().indexOf("[groups"));
-    plant.apply(cell1.replace("cell1", "cell2") + cell1.replace("cell1", "cell3") + config());
-    List<String> overrides = List.of("cell1:$OV_PRO", "cell2:$OV_PRO", "cell3:$OV_PRO");
-    for (String override : overrides) {
-      awaitGood(client, override);
-    }
+  void theSizeOfWritesThatWaitIsLimited() throws Exception {
+    StatusCode tooMany = new StatusCode(StatusCodes.Bad_TooManyOperations);
     CountDownLatch released = new CountDownLatch(1);
     robot.fault(RecordedRequest::isWrite, Fault.hold(released));
-    OpcUaClient operator = plant.connect("anna", "of anna");
-    List<CompletableFuture<WriteResponse>> answers = new ArrayList<>();
+    List<OpcUaClient> clients = new ArrayList<>();
+    List<CompletableFuture<Object>> accepted = new ArrayList<>();
     try {
-      for (String override : overrides) {
-        for (int i = 0; i < 17; i++) {
-          answers.add(operator.writeAsync(List.of(writeOf(robots(client, override), i))));
-        }
+      while (clients.size() < 11) {
+        clients.add(plant.connect("anna", "of anna"));
       }
-
-      assertThatThrownBy(() -> answers.get(50).join())
-          .hasCauseInstanceOf(UaException.class)
-          .extracting(it -> ((UaException) it.getCause()).getStatusCode().value())
-          .isEqualTo(StatusCodes.Bad_TooManyOperations);
-      assertThat(answers.subList(0, 50)).noneMatch(CompletableFuture::isDone);
+      for (OpcUaClient each : clients) {
+        accepted.add(writeAsync(each, 10, 1));
+      }
+      assertThat(writeAsync(clients.get(0), 50, 100_000).join())
+          .isEqualTo(new StatusCode(StatusCodes.Bad_RequestTooLarge));
+      for (OpcUaClient each : clients.subList(0, 10)) {
+        accepted.add(writeAsync(each, 20, 95_000));
+        assertThat(writeAsync(each, 51, 10_000).join()).as("105,000 of 100,000").isEqualTo(tooMany);
+      }
+      assertThat(writeAsync(clients.get(10), 52, 95_000).join())
+          .as("1,045,000 of 1,000,000")
+          .isEqualTo(tooMany);
+      assertThat(accepted).noneMatch(CompletableFuture::isDone);
 
       released.countDown();
-      for (CompletableFuture<WriteResponse> answer : answers.subList(0, 50)) {
-        assertThat(answer.join().getResults()).containsExactly(StatusCode.GOOD);
+      for (CompletableFuture<Object> answer : accepted) {
+        assertThat(answer.join()).isEqualTo(StatusCode.GOOD);
       }
-      assertThat(write(operator, robots(client, "cell3:$OV_PRO"), 50)).isEqualTo(StatusCodes.Good);
+      assertThat(writeAsync(clients.get(10), 21, 95_000).join()).isEqualTo(StatusCode.GOOD);
     } finally {
       released.countDown();
-      operator.disconnect();
+      for (OpcUaClient each : clients) {
+        each.disconnect();
+      }
     }
+    assertThat(robot.requests())
+        .filteredOn(RecordedRequest::isWrite)
+        .extracting(it -> it.request().toString())
+        .hasSize(22)
+        .noneMatch(it -> it.matches(".*value=5\\d.*"));
   }
 
   private static boolean isWriteOf(RecordedRequest request, int value, CountDownLatch arrived) {

@@ -1,5 +1,7 @@
 package no.hials.crosscom.gateway.internal.opcua;
 
+import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
 import io.netty.channel.Channel;
 import java.net.InetSocketAddress;
 import java.util.ArrayDeque;
@@ -18,8 +20,10 @@ import org.eclipse.milo.opcua.sdk.server.servicesets.AttributeServiceSet;
 import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultAttributeServiceSet;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
+import org.eclipse.milo.opcua.stack.core.UaSerializationException;
 import org.eclipse.milo.opcua.stack.core.channel.SecurityKeysListener;
 import org.eclipse.milo.opcua.stack.core.encoding.EncodingContext;
+import org.eclipse.milo.opcua.stack.core.encoding.binary.OpcUaBinaryEncoder;
 import org.eclipse.milo.opcua.stack.core.security.CertificateManager;
 import org.eclipse.milo.opcua.stack.core.types.UaRequestMessageType;
 import org.eclipse.milo.opcua.stack.core.types.UaResponseMessageType;
@@ -42,8 +46,11 @@ import org.slf4j.LoggerFactory;
 final class WriteOrder {
   private static final Logger LOG = LoggerFactory.getLogger(WriteOrder.class);
 
-  /** The maximum number of requests of a connection, if one waits: each takes memory. */
-  private static final int MAX_OF_CONNECTION = 50;
+  /** The maximum size of a request, and of those of a connection that wait, in bytes. */
+  private static final int MAX_SIZE = 100_000;
+
+  /** The maximum size of all requests that wait, in bytes: decoded, they take a lot more memory. */
+  private static final int MAX_WAITING = 1_000_000;
 
   /** The arrival of the request that a thread runs: Milo does not pass it on. */
   private static final ThreadLocal<RobotWrites.Arrival> CURRENT = new ThreadLocal<>();
@@ -53,8 +60,8 @@ final class WriteOrder {
   /** The requests of each line that are not answered. The first one runs. */
   private final Map<Line, Deque<CompletableFuture<Void>>> lines = new HashMap<>();
 
-  /** The number of requests of each connection that are not answered. */
-  private final Map<Channel, Integer> requests = new HashMap<>();
+  /** The size of the requests of each connection that wait, in bytes. */
+  private final Map<Channel, Integer> waitingSizes = new HashMap<>();
 
   private final Map<ServiceRequestContext, RobotWrites.Arrival> arrivals =
       new ConcurrentHashMap<>();
@@ -124,35 +131,45 @@ final class WriteOrder {
 
   /** Adds a request to its lines, and returns what completes when those before it are answered. */
   private synchronized CompletableFuture<Void> enter(
-      Channel connection, Set<Line> of, CompletableFuture<Void> answered) throws UaException {
+      Channel connection, Set<Line> of, int size, CompletableFuture<Void> answered)
+      throws UaException {
     List<CompletableFuture<Void>> before = new ArrayList<>();
     for (Line line : of) {
-      Deque<CompletableFuture<Void>> waiting = lines.getOrDefault(line, new ArrayDeque<>());
-      if (waiting.size() > RobotThreads.MAX_WAITING) {
+      Deque<CompletableFuture<Void>> unanswered = lines.getOrDefault(line, new ArrayDeque<>());
+      if (unanswered.size() > RobotThreads.MAX_WAITING) {
         throw new UaException(StatusCodes.Bad_TooManyOperations);
       }
-      if (!waiting.isEmpty()) {
-        before.add(waiting.getLast());
+      if (!unanswered.isEmpty()) {
+        before.add(unanswered.getLast());
       }
     }
-    int all = requests.getOrDefault(connection, 0);
-    if (!before.isEmpty() && all >= MAX_OF_CONNECTION) {
-      throw new UaException(StatusCodes.Bad_TooManyOperations);
+    CompletableFuture<Void> turn =
+        CompletableFuture.allOf(before.toArray(CompletableFuture[]::new));
+    if (!before.isEmpty()) {
+      int all = waitingSizes.values().stream().mapToInt(Integer::intValue).sum();
+      if (waitingSizes.getOrDefault(connection, 0) + size > MAX_SIZE || all + size > MAX_WAITING) {
+        throw new UaException(StatusCodes.Bad_TooManyOperations);
+      }
+      waitingSizes.merge(connection, size, Integer::sum);
+      turn = turn.thenRun(() -> begin(connection, size));
     }
-    requests.put(connection, all + 1);
     of.forEach(line -> lines.computeIfAbsent(line, it -> new ArrayDeque<>()).add(answered));
-    return CompletableFuture.allOf(before.toArray(CompletableFuture[]::new));
+    return turn;
+  }
+
+  /** Called when a request no longer waits. */
+  private synchronized void begin(Channel connection, int size) {
+    waitingSizes.computeIfPresent(connection, (it, all) -> all == size ? null : all - size);
   }
 
   /** Removes a request, which is the first one of its lines. */
-  private synchronized void leave(Channel connection, Set<Line> of) {
-    requests.computeIfPresent(connection, (it, all) -> all == 1 ? null : all - 1);
+  private synchronized void leave(Set<Line> of) {
     for (Line line : of) {
       lines.computeIfPresent(
           line,
-          (it, waiting) -> {
-            waiting.removeFirst();
-            return waiting.isEmpty() ? null : waiting;
+          (it, unanswered) -> {
+            unanswered.removeFirst();
+            return unanswered.isEmpty() ? null : unanswered;
           });
     }
   }
@@ -163,6 +180,22 @@ final class WriteOrder {
 
     Ordered(ServerApplicationContext server) {
       this.server = server;
+    }
+
+    /** Returns the size of a request, in bytes. */
+    private int size(WriteRequest request) throws UaException {
+      ByteBuf buffer = Unpooled.buffer();
+      try {
+        new OpcUaBinaryEncoder(server.getEncodingContext())
+            .setBuffer(buffer)
+            .encodeStruct(null, request, WriteRequest.TYPE_ID);
+      } catch (UaSerializationException e) {
+        throw new UaException(e.getStatusCode().value(), e);
+      }
+      if (buffer.readableBytes() > MAX_SIZE) {
+        throw new UaException(StatusCodes.Bad_RequestTooLarge);
+      }
+      return buffer.readableBytes();
     }
 
     /** Called with the requests of a connection in the order of their arrival. */
@@ -176,7 +209,7 @@ final class WriteOrder {
       CompletableFuture<Void> answered = new CompletableFuture<>();
       CompletableFuture<Void> turn;
       try {
-        turn = enter(context.getChannel(), of, answered);
+        turn = enter(context.getChannel(), of, size(write), answered);
       } catch (UaException e) {
         return CompletableFuture.failedFuture(e);
       }
@@ -185,7 +218,7 @@ final class WriteOrder {
           .whenComplete(
               (response, failure) -> {
                 arrivals.remove(context);
-                leave(context.getChannel(), of);
+                leave(of);
                 answered.complete(null);
               });
     }

@@ -10,6 +10,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
@@ -23,6 +24,7 @@ import org.eclipse.milo.opcua.stack.core.UaException;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
 import org.eclipse.milo.opcua.stack.core.types.structured.WriteResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.WriteValue;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -189,6 +191,31 @@ class OpcUaWritesTest {
         .extracting(it -> it.request().toString())
         .hasSize(22)
         .noneMatch(it -> it.matches(".*value=5\\d.*"));
+  }
+
+  @Test
+  void requestsWithManyValuesOrLargeArraysAreRefused() throws Exception {
+    NodeId override = robots(client, "cell1:$OV_PRO");
+    OpcUaClient operator = plant.connect("anna", "of anna");
+    try {
+      assertThat(statusOf(operator, Collections.nCopies(1001, writeOf(override, 1))))
+          .isEqualTo(StatusCodes.Bad_TooManyOperations);
+      assertThat(statusOf(operator, List.of(writeOf(override, new Byte[6000]))))
+          .isEqualTo(StatusCodes.Bad_RequestTooLarge);
+      assertThat(write(operator, override, new Integer[] {1}))
+          .isEqualTo(StatusCodes.Bad_TypeMismatch);
+      assertThat(write(operator, override, 2)).isEqualTo(StatusCodes.Good);
+    } finally {
+      operator.disconnect();
+    }
+  }
+
+  private static long statusOf(OpcUaClient from, List<WriteValue> values) {
+    try {
+      return from.write(values).getResponseHeader().getServiceResult().value();
+    } catch (UaException e) {
+      return e.getStatusCode().value();
+    }
   }
 
   private static boolean isWriteOf(RecordedRequest request, int value, CountDownLatch arrived) {

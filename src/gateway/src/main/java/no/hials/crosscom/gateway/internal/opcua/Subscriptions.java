@@ -67,6 +67,12 @@ final class Subscriptions extends ManagedAddressSpaceFragment {
     }
 
     @Override
+    public UInteger getMaxNodesPerWrite() {
+      // robots take 5 s for them, and a write does not wait longer
+      return uint(1000);
+    }
+
+    @Override
     public UInteger getMaxMonitoredItems() {
       return uint(50_000);
     }

@@ -52,6 +52,9 @@ final class WriteOrder {
   /** The maximum size of all requests that wait, in bytes: decoded, they take a lot more memory. */
   private static final int MAX_WAITING = 1_000_000;
 
+  /** How many times as much an array counts: decoded, it can take 60 times its size. */
+  private static final int OTHER_VALUES = 20;
+
   /** The arrival of the request that a thread runs: Milo does not pass it on. */
   private static final ThreadLocal<RobotWrites.Arrival> CURRENT = new ThreadLocal<>();
 
@@ -104,8 +107,8 @@ final class WriteOrder {
         CURRENT.set(arrivals.get(context));
         try {
           return super.onWrite(context, request);
-        } catch (RuntimeException e) {
-          // Milo would not answer
+        } catch (RuntimeException | Error e) {
+          // Milo would not answer, and the next ones would wait for ever
           LOG.warn("OPC UA: a write has failed", e);
           throw new UaException(StatusCodes.Bad_InternalError, e);
         } finally {
@@ -115,10 +118,23 @@ final class WriteOrder {
     };
   }
 
+  private static List<WriteValue> values(WriteRequest request) {
+    WriteValue[] values = request.getNodesToWrite();
+    return values == null ? List.of() : List.of(values);
+  }
+
+  /** Returns whether a value is of a type that variables of robots have. */
+  private static boolean isPlain(WriteValue write) {
+    Object value = write.getValue().value().value();
+    return value == null
+        || value instanceof Number
+        || value instanceof Boolean
+        || value instanceof String;
+  }
+
   private Set<Line> lines(Channel connection, WriteRequest request) {
     Set<Line> all = new HashSet<>();
-    WriteValue[] values = request.getNodesToWrite();
-    for (WriteValue value : values == null ? new WriteValue[0] : values) {
+    for (WriteValue value : values(request)) {
       if (value.getNodeId().getIdentifier() instanceof String id) {
         String robot = id.substring(0, Math.max(0, id.indexOf(':')));
         if (writes.hasRobot(robot)) {
@@ -192,10 +208,12 @@ final class WriteOrder {
       } catch (UaSerializationException e) {
         throw new UaException(e.getStatusCode().value(), e);
       }
-      if (buffer.readableBytes() > MAX_SIZE) {
+      boolean isPlain = values(request).stream().allMatch(WriteOrder::isPlain);
+      int size = isPlain ? buffer.readableBytes() : OTHER_VALUES * buffer.readableBytes();
+      if (size > MAX_SIZE) {
         throw new UaException(StatusCodes.Bad_RequestTooLarge);
       }
-      return buffer.readableBytes();
+      return size;
     }
 
     /** Called with the requests of a connection in the order of their arrival. */

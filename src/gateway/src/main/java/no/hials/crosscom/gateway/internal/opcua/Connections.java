@@ -81,6 +81,7 @@ final class Connections {
       return;
     }
     refusing = false;
+    pipeline.addFirst(new LogInMessages(() -> channel.attr(SECURE_CHANNEL).get() != null));
     ChannelFuture unused =
         channel.closeFuture().addListener((ChannelFutureListener) it -> open.remove(it.channel()));
   }

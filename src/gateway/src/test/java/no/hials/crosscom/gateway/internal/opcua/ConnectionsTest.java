@@ -20,6 +20,7 @@ import java.nio.ByteOrder;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
@@ -228,6 +229,24 @@ class ConnectionsTest {
     now.addAndGet(Duration.ofSeconds(30).toNanos());
 
     assertThat(isClosed(later)).isTrue();
+  }
+
+  @Test
+  void largeMessagesAreReadOnlyAfterTheLogIn() throws Exception {
+    Channel channel = open(hello("127.0.0.1"), 600_000);
+    for (int number = 2; number < 4; number++) {
+      ByteBuffer chunk = ByteBuffer.allocate(40_000).order(ByteOrder.LITTLE_ENDIAN);
+      chunk.put("MSGC".getBytes(US_ASCII)).putInt(chunk.capacity());
+      chunk.putInt(channel.id()).putInt(channel.token()).putInt(number).putInt(2);
+      channel.socket().getOutputStream().write(chunk.array());
+    }
+
+    assertThat(isClosed(channel.socket())).isTrue();
+
+    OpcUaClient client = OpcUaClient.create(url()).connect();
+    List<NodeId> nodes = Collections.nCopies(5000, NodeIds.Server_ServerStatus_State);
+    assertThat(client.readValues(0, Neither, nodes)).hasSize(5000);
+    client.disconnect();
   }
 
   @Test

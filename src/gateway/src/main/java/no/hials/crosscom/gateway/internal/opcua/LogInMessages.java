@@ -1,0 +1,74 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import io.netty.buffer.ByteBuf;
+import io.netty.channel.ChannelFuture;
+import io.netty.channel.ChannelHandlerContext;
+import io.netty.channel.ChannelInboundHandlerAdapter;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.function.BooleanSupplier;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
+
+/**
+ * Closes a connection that sends a large message before its client has logged in: decoded, a
+ * message can take more than 40 times its size.
+ */
+final class LogInMessages extends ChannelInboundHandlerAdapter {
+  private static final Logger LOG = LoggerFactory.getLogger(LogInMessages.class);
+
+  /** The maximum size of a message, in bytes. That of a certificate is about 2 kB. */
+  private static final int MAX = 65_536;
+
+  private final BooleanSupplier isLoggedIn;
+
+  /** The type of a chunk, {@code C} if others of its message follow, and its size. */
+  private final ByteBuffer header = ByteBuffer.allocate(8).order(ByteOrder.LITTLE_ENDIAN);
+
+  /** The bytes of the chunk that are still to come. */
+  private long rest;
+
+  /** The size of the chunks of the message. */
+  private long size;
+
+  LogInMessages(BooleanSupplier isLoggedIn) {
+    this.isLoggedIn = isLoggedIn;
+  }
+
+  @Override
+  public void channelRead(ChannelHandlerContext context, Object message) {
+    if (isLoggedIn.getAsBoolean()) {
+      context.pipeline().remove(this);
+    } else if (message instanceof ByteBuf bytes && isTooLarge(bytes.duplicate())) {
+      LOG.debug("OPC UA: {} has sent a large message", context.channel().remoteAddress());
+      bytes.release();
+      ChannelFuture unused = context.close();
+      return;
+    }
+    context.fireChannelRead(message);
+  }
+
+  private boolean isTooLarge(ByteBuf bytes) {
+    while (bytes.isReadable()) {
+      int skipped = (int) Math.min(rest, bytes.readableBytes());
+      bytes.skipBytes(skipped);
+      rest -= skipped;
+      if (rest == 0 && bytes.isReadable()) {
+        header.put(bytes.readByte());
+      }
+      if (!header.hasRemaining()) {
+        long chunk = Integer.toUnsignedLong(header.getInt(4));
+        rest = Math.max(0, chunk - header.capacity());
+        size += chunk;
+        if (size > MAX) {
+          return true;
+        }
+        if (header.get(3) != 'C') {
+          size = 0;
+        }
+        header.clear();
+      }
+    }
+    return false;
+  }
+}

@@ -18,8 +18,16 @@ public final class Lasting {
       try {
         task.run();
       } catch (RuntimeException | Error e) {
-        LOG.error("a repeated task failed", e);
+        log(e);
       }
     };
+  }
+
+  private static void log(Throwable failure) {
+    try {
+      LOG.error("a repeated task failed", failure);
+    } catch (RuntimeException | Error e) {
+      // perhaps there is no memory for the log either
+    }
   }
 }

@@ -22,14 +22,16 @@ final class LogInMessages extends ChannelInboundHandlerAdapter {
 
   private final BooleanSupplier isLoggedIn;
 
-  /** The type of a chunk, {@code C} if others of its message follow, and its size. */
+  /**
+   * The type of a message, {@code F} or {@code A} for its last chunk, and the size of the chunk.
+   */
   private final ByteBuffer header = ByteBuffer.allocate(8).order(ByteOrder.LITTLE_ENDIAN);
 
   /** The bytes of the chunk that are still to come. */
   private long rest;
 
-  /** The size of the chunks of the message. */
-  private long size;
+  /** The sizes of the messages that are not complete, by the first letters of their types. */
+  private final long[] sizes = new long[256];
 
   LogInMessages(BooleanSupplier isLoggedIn) {
     this.isLoggedIn = isLoggedIn;
@@ -59,12 +61,13 @@ final class LogInMessages extends ChannelInboundHandlerAdapter {
       if (!header.hasRemaining()) {
         long chunk = Integer.toUnsignedLong(header.getInt(4));
         rest = Math.max(0, chunk - header.capacity());
-        size += chunk;
-        if (size > MAX) {
+        int type = Byte.toUnsignedInt(header.get(0));
+        sizes[type] += chunk;
+        if (sizes[type] > MAX) {
           return true;
         }
-        if (header.get(3) != 'C') {
-          size = 0;
+        if (header.get(3) == 'F' || header.get(3) == 'A') {
+          sizes[type] = 0;
         }
         header.clear();
       }

@@ -58,6 +58,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Clients that connect and do not log in. */
 @Timeout(60)
@@ -231,20 +233,27 @@ class ConnectionsTest {
     assertThat(isClosed(later)).isTrue();
   }
 
-  @Test
-  void largeMessagesAreReadOnlyAfterTheLogIn() throws Exception {
+  @ParameterizedTest
+  @ValueSource(strings = {"MSGC MSGC", "MSGX MSGX", "MSGC OPNA MSGC"})
+  void largeMessagesAreNotReadBeforeTheLogIn(String chunks) throws Exception {
     Channel channel = open(hello("127.0.0.1"), 600_000);
-    for (int number = 2; number < 4; number++) {
+    int number = 2;
+    for (String type : chunks.split(" ", -1)) {
+      int size = type.startsWith("MSG") ? 40_000 : 12;
       ByteBuffer chunk = ByteBuffer.allocate(40_000).order(ByteOrder.LITTLE_ENDIAN);
-      chunk.put("MSGC".getBytes(US_ASCII)).putInt(chunk.capacity());
-      chunk.putInt(channel.id()).putInt(channel.token()).putInt(number).putInt(2);
-      channel.socket().getOutputStream().write(chunk.array());
+      chunk.put(type.getBytes(US_ASCII)).putInt(size);
+      chunk.putInt(channel.id()).putInt(channel.token()).putInt(number++).putInt(2);
+      channel.socket().getOutputStream().write(chunk.array(), 0, size);
     }
 
     assertThat(isClosed(channel.socket())).isTrue();
+  }
 
+  @Test
+  void largeMessagesAreReadAfterTheLogIn() throws Exception {
     OpcUaClient client = OpcUaClient.create(url()).connect();
     List<NodeId> nodes = Collections.nCopies(5000, NodeIds.Server_ServerStatus_State);
+
     assertThat(client.readValues(0, Neither, nodes)).hasSize(5000);
     client.disconnect();
   }

@@ -108,7 +108,7 @@ final class WriteOrder {
         try {
           return super.onWrite(context, request);
         } catch (RuntimeException | Error e) {
-          // Milo would not answer, and the next ones would wait for ever
+          // Milo would not answer, and the next ones would go on waiting
           LOG.warn("OPC UA: a write has failed", e);
           throw new UaException(StatusCodes.Bad_InternalError, e);
         } finally {

@@ -60,11 +60,11 @@ final class LogInMessages extends ChannelInboundHandlerAdapter {
       }
       if (!header.hasRemaining()) {
         long chunk = Integer.toUnsignedLong(header.getInt(4));
-        rest = Math.max(0, chunk - header.capacity());
+        rest = chunk - header.capacity();
         int type = Byte.toUnsignedInt(header.get(0));
         sizes[type] += chunk;
-        if (sizes[type] > MAX) {
-          return true;
+        if (sizes[type] > MAX || rest < 0) {
+          return true; // Milo would keep all that follows a chunk without a header
         }
         if (header.get(3) == 'F' || header.get(3) == 'A') {
           sizes[type] = 0;

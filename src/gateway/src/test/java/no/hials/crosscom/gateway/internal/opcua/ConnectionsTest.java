@@ -250,6 +250,15 @@ class ConnectionsTest {
   }
 
   @Test
+  void aChunkWithoutAHeaderIsNotRead() throws Exception {
+    Socket socket = open(hello("127.0.0.1"), 600_000).socket();
+
+    socket.getOutputStream().write(new byte[] {'O', 'P', 'N', 'C', 0, 0, 0, 0});
+
+    assertThat(isClosed(socket)).isTrue();
+  }
+
+  @Test
   void largeMessagesAreReadAfterTheLogIn() throws Exception {
     OpcUaClient client = OpcUaClient.create(url()).connect();
     List<NodeId> nodes = Collections.nCopies(5000, NodeIds.Server_ServerStatus_State);

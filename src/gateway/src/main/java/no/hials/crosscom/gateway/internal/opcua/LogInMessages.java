@@ -1,26 +1,38 @@
 package no.hials.crosscom.gateway.internal.opcua;
 
 import io.netty.buffer.ByteBuf;
+import io.netty.channel.ChannelDuplexHandler;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelHandlerContext;
-import io.netty.channel.ChannelInboundHandlerAdapter;
+import io.netty.channel.ChannelPromise;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.ArrayDeque;
+import java.util.Queue;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Closes a connection that sends a large message before its client has logged in: decoded, a
- * message can take more than 40 times its size.
+ * Limits the memory that a connection can take before its client has logged in. Its messages are
+ * passed on one at a time, the next one when the answer to the last one is sent: a client that does
+ * not read the answers gets no more of them. The connection is closed when a message is large:
+ * decoded, it can take more than 40 times its size.
  */
-final class LogInMessages extends ChannelInboundHandlerAdapter {
+final class LogInMessages extends ChannelDuplexHandler {
   private static final Logger LOG = LoggerFactory.getLogger(LogInMessages.class);
 
   /** The maximum size of a message, in bytes. That of a certificate is about 2 kB. */
   private static final int MAX = 65_536;
 
   private final BooleanSupplier isLoggedIn;
+
+  /** The bytes that have been read and not passed on. Nothing is read while there are some. */
+  private final Queue<ByteBuf> waiting = new ArrayDeque<>();
+
+  /** True from when a message is passed on until its answer is sent. */
+  private boolean busy;
 
   /**
    * The type of a message, {@code F} or {@code A} for its last chunk, and the size of the chunk.
@@ -39,39 +51,88 @@ final class LogInMessages extends ChannelInboundHandlerAdapter {
 
   @Override
   public void channelRead(ChannelHandlerContext context, Object message) {
-    if (isLoggedIn.getAsBoolean()) {
-      context.pipeline().remove(this);
-    } else if (message instanceof ByteBuf bytes && isTooLarge(bytes.duplicate())) {
-      LOG.debug("OPC UA: {} has sent a large message", context.channel().remoteAddress());
-      bytes.release();
-      ChannelFuture unused = context.close();
-      return;
-    }
-    context.fireChannelRead(message);
+    waiting.add((ByteBuf) message);
+    passOn(context);
   }
 
-  private boolean isTooLarge(ByteBuf bytes) {
-    while (bytes.isReadable()) {
-      int skipped = (int) Math.min(rest, bytes.readableBytes());
-      bytes.skipBytes(skipped);
-      rest -= skipped;
-      if (rest == 0 && bytes.isReadable()) {
-        header.put(bytes.readByte());
-      }
-      if (!header.hasRemaining()) {
-        long chunk = Integer.toUnsignedLong(header.getInt(4));
-        rest = chunk - header.capacity();
-        int type = Byte.toUnsignedInt(header.get(0));
-        sizes[type] += chunk;
-        if (sizes[type] > MAX || rest < 0) {
-          return true; // Milo would keep all that follows a chunk without a header
-        }
-        if (header.get(3) == 'F' || header.get(3) == 'A') {
-          sizes[type] = 0;
-        }
-        header.clear();
+  @Override
+  public void read(ChannelHandlerContext context) {
+    if (waiting.isEmpty()) {
+      context.read();
+    }
+  }
+
+  @Override
+  public void write(ChannelHandlerContext context, Object answer, ChannelPromise promise) {
+    // later, since the handler that writes may still be at work on the message
+    ChannelPromise sent =
+        promise.unvoid().addListener(it -> context.executor().execute(() -> answered(context)));
+    ChannelFuture unused = context.write(answer, sent);
+  }
+
+  private void answered(ChannelHandlerContext context) {
+    busy = false;
+    passOn(context);
+  }
+
+  private void passOn(ChannelHandlerContext context) {
+    while (!busy && !waiting.isEmpty() && context.channel().isActive()) {
+      ByteBuf next = isLoggedIn.getAsBoolean() ? waiting.remove() : nextChunk();
+      if (next != null) {
+        context.fireChannelRead(next);
+      } else {
+        LOG.debug("OPC UA: {} has sent a large message", context.channel().remoteAddress());
+        ChannelFuture unused = context.close();
       }
     }
-    return false;
+    context.channel().config().setAutoRead(waiting.isEmpty());
+    if (waiting.isEmpty() && isLoggedIn.getAsBoolean() && !context.isRemoved()) {
+      context.pipeline().remove(this);
+    }
+  }
+
+  @Override
+  public void handlerRemoved(ChannelHandlerContext context) {
+    waiting.forEach(ByteBuf::release);
+    waiting.clear();
+  }
+
+  /** Returns the next chunk or the part of it that is here, or null if its message is too large. */
+  private @Nullable ByteBuf nextChunk() {
+    ByteBuf bytes = waiting.element();
+    int start = bytes.readerIndex();
+    while (header.hasRemaining() && bytes.isReadable()) {
+      header.put(bytes.readByte());
+      if (!header.hasRemaining() && !beginChunk()) {
+        return null;
+      }
+    }
+    int skipped = (int) Math.min(rest, bytes.readableBytes());
+    bytes.skipBytes(skipped);
+    rest -= skipped;
+    if (!header.hasRemaining() && rest == 0) {
+      busy = header.get(3) == 'F';
+      header.clear();
+    }
+    ByteBuf chunk = bytes.retainedSlice(start, bytes.readerIndex() - start);
+    if (!bytes.isReadable()) {
+      waiting.remove().release();
+    }
+    return chunk;
+  }
+
+  /** Returns whether the chunk of the header may be passed on. */
+  private boolean beginChunk() {
+    long size = Integer.toUnsignedLong(header.getInt(4));
+    rest = size - header.capacity();
+    int type = Byte.toUnsignedInt(header.get(0));
+    sizes[type] += size;
+    if (sizes[type] > MAX || rest < 0) {
+      return false; // Milo would keep all that follows a chunk without a header
+    }
+    if (header.get(3) == 'F' || header.get(3) == 'A') {
+      sizes[type] = 0;
+    }
+    return true;
   }
 }

@@ -51,6 +51,7 @@ import org.eclipse.milo.opcua.stack.core.types.structured.AnonymousIdentityToken
 import org.eclipse.milo.opcua.stack.core.types.structured.ApplicationDescription;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.GetEndpointsRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
 import org.eclipse.milo.opcua.stack.core.types.structured.SignatureData;
 import org.junit.jupiter.api.AfterEach;
@@ -265,6 +266,42 @@ class ConnectionsTest {
 
     assertThat(client.readValues(0, Neither, nodes)).hasSize(5000);
     client.disconnect();
+  }
+
+  @Test
+  void requestsAreNotReadWhileTheAnswersAreNot() throws Exception {
+    Channel channel = open(hello("127.0.0.1"), 600_000);
+    UaRequestMessageType request =
+        new GetEndpointsRequest(header(NodeId.NULL_VALUE), url(), null, null);
+    AtomicLong sent = new AtomicLong();
+    Thread sender =
+        new Thread(
+            () -> {
+              try {
+                for (int number = 2; true; number++) {
+                  byte[] bytes = bytes(channel.message(number, request));
+                  channel.socket().getOutputStream().write(bytes);
+                  sent.addAndGet(bytes.length);
+                }
+              } catch (IOException e) {
+                // the test is over
+              }
+            });
+    sender.start();
+
+    // the buffers of the operating system have room for about 4 MB
+    long before;
+    do {
+      before = sent.get();
+      Thread.sleep(1000);
+      assertThat(sent).hasValueLessThan(10_000_000);
+    } while (sent.get() != before);
+    OpcUaClient.create(url()).connect().disconnect();
+    for (int i = 0; i < 2000; i++) {
+      answer(channel.socket());
+    }
+    channel.socket().close();
+    sender.join();
   }
 
   @Test

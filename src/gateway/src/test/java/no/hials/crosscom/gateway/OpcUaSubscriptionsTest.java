@@ -6,12 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.ubyte;
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.AttributeId;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
@@ -29,48 +26,25 @@ import org.eclipse.milo.opcua.stack.core.types.structured.MonitoredItemCreateRes
 import org.eclipse.milo.opcua.stack.core.types.structured.MonitoringParameters;
 import org.eclipse.milo.opcua.stack.core.types.structured.PublishResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReadValueId;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
 /** The limits for clients that ask for much, or that do not come back. */
-@Timeout(60)
-class OpcUaSubscriptionsTest {
-  @KukaController private MockServer robot;
+class OpcUaSubscriptionsTest extends OpcUaServerTest {
+  @Override
+  String config() {
+    return """
+    [robots.cell1]
+    host = "%s"
+    port = %d
 
-  /** Shared by all tests, since the server's key takes time to create. */
-  @TempDir private static Path folder;
+    [groups.all]
+    variables = ["$OV_PRO"]
+    period = "20ms"
 
-  private OpcUaPlant plant;
-  private OpcUaClient client;
-
-  @BeforeEach
-  void start() throws Exception {
-    plant =
-        new OpcUaPlant(
-            folder,
-            """
-            [robots.cell1]
-            host = "%s"
-            port = %d
-
-            [groups.all]
-            variables = ["$OV_PRO"]
-            period = "20ms"
-
-            [opcua]
-            address = "127.0.0.1:PORT"
-            """
-                .formatted(robot.host(), robot.port()));
-    client = plant.connect();
-  }
-
-  @AfterEach
-  void close() throws UaException {
-    client.disconnect();
-    plant.close();
+    [opcua]
+    address = "127.0.0.1:PORT"
+    """
+        .formatted(robot.host(), robot.port());
   }
 
   private CreateSubscriptionResponse createSubscription(double interval) throws UaException {

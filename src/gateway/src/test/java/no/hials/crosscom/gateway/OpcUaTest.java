@@ -13,13 +13,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import no.hials.crosscom.mock.Fault;
-import no.hials.crosscom.mock.MockServer;
-import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.AttributeId;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
@@ -32,29 +29,17 @@ import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UByte;
 import org.eclipse.milo.opcua.stack.core.types.structured.EUInformation;
 import org.eclipse.milo.opcua.stack.core.types.structured.Range;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReferenceDescription;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(60)
-class OpcUaTest {
+class OpcUaTest extends OpcUaServerTest {
   private static final UByte READ = UByte.valueOf(1);
   private static final UByte READ_WRITE = UByte.valueOf(3);
 
   /** The status of nodes that need encryption. */
   private static final long HIDDEN = StatusCodes.Bad_SecurityModeInsufficient;
 
-  @KukaController private MockServer robot;
-
-  /** Shared by all tests, since the server's key takes time to create. */
-  @TempDir private static Path folder;
-
-  private OpcUaPlant plant;
-  private OpcUaClient client;
-
-  private String config() {
+  @Override
+  String config() {
     return """
     [robots.cell1]
     host = "%s"
@@ -88,21 +73,6 @@ class OpcUaTest {
     password-file = "vera.txt"
     """
         .formatted(robot.host(), robot.port());
-  }
-
-  @BeforeEach
-  void start() throws Exception {
-    Files.deleteIfExists(folder.resolve("audit.jsonl"));
-    Files.writeString(folder.resolve("anna.txt"), "of anna\n");
-    Files.writeString(folder.resolve("vera.txt"), "of vera\n");
-    plant = new OpcUaPlant(folder, config());
-    client = plant.connect();
-  }
-
-  @AfterEach
-  void close() throws UaException {
-    client.disconnect();
-    plant.close();
   }
 
   private List<String> browse(NodeId from, String namespace, int type) throws UaException {

@@ -7,17 +7,13 @@ import static no.hials.crosscom.gateway.OpcUaPlant.write;
 import static no.hials.crosscom.gateway.OpcUaPlant.writeOf;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import no.hials.crosscom.mock.Fault;
-import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.RecordedRequest;
-import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
@@ -25,24 +21,13 @@ import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
 import org.eclipse.milo.opcua.stack.core.types.structured.WriteResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.WriteValue;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Writes that a client sends before the earlier ones are answered. */
-@Timeout(60)
-class OpcUaWritesTest {
-  @KukaController private MockServer robot;
-
-  /** Shared by all tests, since the server's key takes time to create. */
-  @TempDir private static Path folder;
-
-  private OpcUaPlant plant;
-  private OpcUaClient client;
-
-  private String config() {
+class OpcUaWritesTest extends OpcUaServerTest {
+  @Override
+  String config() {
     return """
     [robots.cell1]
     host = "%s"
@@ -68,17 +53,8 @@ class OpcUaWritesTest {
   }
 
   @BeforeEach
-  void start() throws Exception {
-    Files.writeString(folder.resolve("anna.txt"), "of anna\n");
-    plant = new OpcUaPlant(folder, config());
-    client = plant.connect();
+  void awaitFirstReading() throws Exception {
     awaitGood(client, "cell1:$OV_PRO");
-  }
-
-  @AfterEach
-  void close() throws UaException {
-    client.disconnect();
-    plant.close();
   }
 
   @Test

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 
+import io.netty.buffer.UnpooledByteBufAllocator;
 import io.netty.channel.Channel;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelFutureListener;
@@ -81,6 +82,9 @@ final class Connections {
       return;
     }
     refusing = false;
+    // Milo releases the buffers of a damaged message twice: from a pool, another one would have
+    // them
+    channel.config().setAllocator(UnpooledByteBufAllocator.DEFAULT);
     pipeline.addFirst(new LogInMessages(() -> channel.attr(SECURE_CHANNEL).get() != null));
     ChannelFuture unused =
         channel.closeFuture().addListener((ChannelFutureListener) it -> open.remove(it.channel()));

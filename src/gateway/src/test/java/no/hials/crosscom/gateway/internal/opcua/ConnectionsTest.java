@@ -7,6 +7,7 @@ import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToRet
 
 import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
+import io.netty.channel.embedded.EmbeddedChannel;
 import java.io.ByteArrayOutputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
@@ -23,6 +24,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicLong;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
@@ -302,6 +304,19 @@ class ConnectionsTest {
     }
     channel.socket().close();
     sender.join();
+  }
+
+  /** A buffer that Milo releases twice would otherwise be that of another connection by then. */
+  @Test
+  void connectionsShareNoBuffers() {
+    EmbeddedChannel channel = new EmbeddedChannel();
+
+    new Connections(now::get)
+        .transport(ForkJoinPool.commonPool())
+        .getChannelPipelineCustomizer()
+        .accept(channel.pipeline());
+
+    assertThat(channel.alloc().isDirectBufferPooled()).isFalse();
   }
 
   @Test

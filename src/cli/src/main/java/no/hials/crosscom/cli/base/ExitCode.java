@@ -52,6 +52,9 @@ public enum ExitCode {
           Map.entry(StoppedException.class, STOPPED),
           Map.entry(OutputException.class, OUTPUT_LOST));
 
+  /** The codes above are those of processes that a signal has ended. */
+  private static final int FIRST_SIGNAL = 128;
+
   private final int code;
 
   ExitCode(int code) {
@@ -62,9 +65,12 @@ public enum ExitCode {
     return code;
   }
 
-  /** Returns the constant of a code; there must be one. */
+  /** Returns the constant of the code with which another process ended. */
   public static ExitCode of(int code) {
-    return Arrays.stream(values()).filter(each -> each.code == code).findFirst().orElseThrow();
+    return Arrays.stream(values())
+        .filter(each -> each.code == code)
+        .findFirst()
+        .orElse(code > FIRST_SIGNAL ? STOPPED : INTERNAL_ERROR);
   }
 
   public ExitCode orWorse(ExitCode other) {

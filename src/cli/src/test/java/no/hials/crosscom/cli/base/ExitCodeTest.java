@@ -36,6 +36,13 @@ class ExitCodeTest {
     }
   }
 
+  @Test
+  void aProcessThatASignalHasEndedIsStoppedAndOtherCodesAreErrors() {
+    assertThat(ExitCode.of(74)).isEqualTo(ExitCode.OUTPUT_LOST);
+    assertThat(ExitCode.of(143)).isEqualTo(ExitCode.STOPPED);
+    assertThat(ExitCode.of(99)).isEqualTo(ExitCode.INTERNAL_ERROR);
+  }
+
   private static CrossComValueException failure(ThrowingCallable access) {
     return catchThrowableOfType(CrossComValueException.class, access);
   }

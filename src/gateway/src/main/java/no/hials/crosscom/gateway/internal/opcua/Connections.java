@@ -85,7 +85,7 @@ final class Connections {
     // Milo releases the buffers of a damaged message twice: from a pool, another one would have
     // them
     channel.config().setAllocator(UnpooledByteBufAllocator.DEFAULT);
-    pipeline.addFirst(new LogInMessages(() -> channel.attr(SECURE_CHANNEL).get() != null));
+    pipeline.addFirst(new Messages(() -> channel.attr(SECURE_CHANNEL).get() != null));
     ChannelFuture unused =
         channel.closeFuture().addListener((ChannelFutureListener) it -> open.remove(it.channel()));
   }

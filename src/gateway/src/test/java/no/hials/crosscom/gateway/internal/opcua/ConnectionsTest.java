@@ -6,6 +6,7 @@ import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.
 import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn.Neither;
 
 import io.netty.buffer.ByteBuf;
+import io.netty.buffer.ByteBufUtil;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.embedded.EmbeddedChannel;
 import java.io.ByteArrayOutputStream;
@@ -306,16 +307,23 @@ class ConnectionsTest {
     sender.join();
   }
 
-  /** A buffer that Milo releases twice would otherwise be that of another connection by then. */
+  /** A buffer that Milo releases twice would otherwise be that of another message by then. */
   @Test
-  void connectionsShareNoBuffers() {
+  void chunksShareNoBuffers() {
     EmbeddedChannel channel = new EmbeddedChannel();
-
     new Connections(now::get)
         .transport(ForkJoinPool.commonPool())
         .getChannelPipelineCustomizer()
         .accept(channel.pipeline());
 
+    byte[] chunk = bytes(message("MSGC"));
+    channel.writeInbound(Unpooled.copiedBuffer(chunk, chunk));
+    ByteBuf first = channel.readInbound();
+    ByteBuf second = channel.readInbound();
+    first.release();
+
+    assertThat(second.refCnt()).isEqualTo(1);
+    assertThat(ByteBufUtil.getBytes(second)).isEqualTo(chunk);
     assertThat(channel.alloc().isDirectBufferPooled()).isFalse();
   }
 

@@ -1,6 +1,7 @@
 package no.hials.crosscom.gateway.internal.opcua;
 
 import io.netty.buffer.ByteBuf;
+import io.netty.buffer.Unpooled;
 import io.netty.channel.ChannelDuplexHandler;
 import io.netty.channel.ChannelFuture;
 import io.netty.channel.ChannelHandlerContext;
@@ -10,28 +11,36 @@ import java.nio.ByteOrder;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.function.BooleanSupplier;
+import org.eclipse.milo.opcua.stack.core.channel.EncodingLimits;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
 import org.slf4j.LoggerFactory;
 
 /**
- * Limits the memory that a connection can take before its client has logged in. Its messages are
- * passed on one at a time, the next one when the answer to the last one is sent: a client that does
- * not read the answers gets no more of them. The connection is closed when a message is large:
- * decoded, it can take more than 40 times its size.
+ * Limits the messages of a connection, and closes it when one is too large. Milo gets each chunk in
+ * a buffer of its own, since it releases the chunks of a damaged message twice.
+ *
+ * <p>Before the client has logged in, its messages are passed on one at a time, the next one when
+ * the answer to the last one is sent: a client that does not read the answers gets no more of them.
  */
-final class LogInMessages extends ChannelDuplexHandler {
-  private static final Logger LOG = LoggerFactory.getLogger(LogInMessages.class);
+final class Messages extends ChannelDuplexHandler {
+  private static final Logger LOG = LoggerFactory.getLogger(Messages.class);
 
-  /** The maximum size of a message, in bytes. That of a certificate is about 2 kB. */
-  private static final int MAX = 65_536;
+  /** The maximum size of a message, in bytes. Milo's limit does not count the headers. */
+  private static final int MAX = EncodingLimits.DEFAULT.getMaxMessageSize();
+
+  /**
+   * The maximum size before the log-in: decoded, a message can take more than 40 times its size.
+   * That of a certificate is about 2 kB.
+   */
+  private static final int MAX_BEFORE = 65_536;
 
   private final BooleanSupplier isLoggedIn;
 
   /** The bytes that have been read and not passed on. Nothing is read while there are some. */
   private final Queue<ByteBuf> waiting = new ArrayDeque<>();
 
-  /** True from when a message is passed on until its answer is sent. */
+  /** True from when a message is passed on until its answer is sent, before the log-in. */
   private boolean busy;
 
   /**
@@ -45,7 +54,7 @@ final class LogInMessages extends ChannelDuplexHandler {
   /** The sizes of the messages that are not complete, by the first letters of their types. */
   private final long[] sizes = new long[256];
 
-  LogInMessages(BooleanSupplier isLoggedIn) {
+  Messages(BooleanSupplier isLoggedIn) {
     this.isLoggedIn = isLoggedIn;
   }
 
@@ -64,9 +73,11 @@ final class LogInMessages extends ChannelDuplexHandler {
 
   @Override
   public void write(ChannelHandlerContext context, Object answer, ChannelPromise promise) {
-    // later, since the handler that writes may still be at work on the message
-    ChannelPromise sent =
-        promise.unvoid().addListener(it -> context.executor().execute(() -> answered(context)));
+    ChannelPromise sent = promise.unvoid();
+    if (busy) {
+      // later, since the handler that writes may still be at work on the message
+      sent.addListener(it -> context.executor().execute(() -> answered(context)));
+    }
     ChannelFuture unused = context.write(answer, sent);
   }
 
@@ -77,18 +88,15 @@ final class LogInMessages extends ChannelDuplexHandler {
 
   private void passOn(ChannelHandlerContext context) {
     while (!busy && !waiting.isEmpty() && context.channel().isActive()) {
-      ByteBuf next = isLoggedIn.getAsBoolean() ? waiting.remove() : nextChunk();
-      if (next != null) {
-        context.fireChannelRead(next);
+      ByteBuf chunk = nextChunk();
+      if (chunk != null) {
+        context.fireChannelRead(chunk);
       } else {
         LOG.debug("OPC UA: {} has sent a large message", context.channel().remoteAddress());
         ChannelFuture unused = context.close();
       }
     }
     context.channel().config().setAutoRead(waiting.isEmpty());
-    if (waiting.isEmpty() && isLoggedIn.getAsBoolean() && !context.isRemoved()) {
-      context.pipeline().remove(this);
-    }
   }
 
   @Override
@@ -111,10 +119,10 @@ final class LogInMessages extends ChannelDuplexHandler {
     bytes.skipBytes(skipped);
     rest -= skipped;
     if (!header.hasRemaining() && rest == 0) {
-      busy = header.get(3) == 'F';
+      busy = header.get(3) == 'F' && !isLoggedIn.getAsBoolean();
       header.clear();
     }
-    ByteBuf chunk = bytes.retainedSlice(start, bytes.readerIndex() - start);
+    ByteBuf chunk = Unpooled.copiedBuffer(bytes.slice(start, bytes.readerIndex() - start));
     if (!bytes.isReadable()) {
       waiting.remove().release();
     }
@@ -127,7 +135,7 @@ final class LogInMessages extends ChannelDuplexHandler {
     rest = size - header.capacity();
     int type = Byte.toUnsignedInt(header.get(0));
     sizes[type] += size;
-    if (sizes[type] > MAX || rest < 0) {
+    if (sizes[type] > (isLoggedIn.getAsBoolean() ? MAX : MAX_BEFORE) || rest < 0) {
       return false; // Milo would keep all that follows a chunk without a header
     }
     if (header.get(3) == 'F' || header.get(3) == 'A') {

@@ -22,13 +22,14 @@ public final class GatewayLog extends ContextAwareBase implements Configurator {
   private static final String PATTERN =
       "%d{yyyy-MM-dd'T'HH:mm:ss.SSSXXX} %-5level %replace(%msg){'\\p{Cntrl}', '?'}%n";
 
-  /**
-   * Loggers that print a stack trace for each refused client. The OPC UA output logs its own lines.
-   */
+  /** Loggers that print a stack trace for each refused client or damaged message, or many lines. */
   private static final List<String> OF_REFUSED_CLIENTS =
       List.of(
-          "org.eclipse.milo.opcua.stack.transport.server",
-          "org.eclipse.milo.opcua.sdk.server.diagnostics");
+          "io.netty.channel",
+          "io.netty.util.ReferenceCountUtil",
+          "org.eclipse.milo.opcua.sdk.server.diagnostics",
+          "org.eclipse.milo.opcua.stack.core.util.TaskQueue",
+          "org.eclipse.milo.opcua.stack.transport.server");
 
   /** A logger that warns of each request that the server does not know. */
   private static final String OF_UNKNOWN_REQUESTS = "org.eclipse.milo.opcua.sdk.server.OpcUaServer";

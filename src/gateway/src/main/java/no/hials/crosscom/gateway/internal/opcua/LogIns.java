@@ -10,11 +10,16 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.eclipse.milo.opcua.sdk.server.OpcUaServer;
+import org.eclipse.milo.opcua.sdk.server.Session;
+import org.eclipse.milo.opcua.sdk.server.SessionListener;
 import org.eclipse.milo.opcua.sdk.server.servicesets.impl.DefaultSessionServiceSet;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
@@ -28,12 +33,21 @@ import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
 import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
+import org.slf4j.Logger;
+import org.slf4j.LoggerFactory;
 
 /**
  * Answers each log-in, and ends sessions that are not logged in: Milo counts them as all others, so
  * that a client without a user could keep out the users. Thread-safe.
  */
 final class LogIns extends DefaultSessionServiceSet {
+  private static final Logger LOG = LoggerFactory.getLogger(LogIns.class);
+
+  /** The maximum length of the name of a session: Milo cannot report a longer one. */
+  private static final int LONGEST_NAME = 512;
+
+  private static final Duration LONGEST_REPORT = Duration.ofSeconds(5);
+
   private final OpcUaServer server;
   private final Users users;
   private final LongSupplier nanoTime;
@@ -43,6 +57,12 @@ final class LogIns extends DefaultSessionServiceSet {
 
   /** The connections with a step of a log-in, or of its end, that is not answered. */
   private final Set<Channel> busy = ConcurrentHashMap.newKeySet();
+
+  /** For sessions that are being reported to Milo's listeners. */
+  private final Semaphore turns = new Semaphore(4, true);
+
+  /** These sessions, by their ids. */
+  private final Map<NodeId, CompletableFuture<Void>> reports = new ConcurrentHashMap<>();
 
   /**
    * A session that is not logged in.
@@ -56,6 +76,15 @@ final class LogIns extends DefaultSessionServiceSet {
     this.server = server;
     this.users = users;
     this.nanoTime = nanoTime;
+    server
+        .getSessionManager()
+        .addSessionListener(
+            new SessionListener() {
+              @Override
+              public void onSessionCreated(Session session) {
+                report(session.getSessionId()).complete(null);
+              }
+            });
   }
 
   /** A step of a log-in, or of its end. */
@@ -81,7 +110,46 @@ final class LogIns extends DefaultSessionServiceSet {
   @Override
   public CreateSessionResponse onCreateSession(
       ServiceRequestContext context, CreateSessionRequest request) throws UaException {
-    return only(context, () -> create(context, request));
+    return only(context, () -> createInTurn(context, request));
+  }
+
+  /**
+   * Creates a session, and answers when it is reported, with few others at a time. Milo creates the
+   * diagnostics of one session after the other then, and keeps all that wait for it, also those
+   * that have ended.
+   */
+  private CreateSessionResponse createInTurn(
+      ServiceRequestContext context, CreateSessionRequest request) throws UaException {
+    String name = request.getSessionName();
+    if (name != null && name.length() > LONGEST_NAME) {
+      throw new UaException(StatusCodes.Bad_InvalidArgument);
+    }
+    turns.acquireUninterruptibly();
+    try {
+      if (!context.getChannel().isOpen()) {
+        throw new UaException(StatusCodes.Bad_ConnectionClosed);
+      }
+      CreateSessionResponse response = create(context, request);
+      awaitReport(response.getSessionId());
+      // nobody can end it before
+      NodeId token = response.getAuthenticationToken();
+      waiting.put(token, new Waiting(token, context, nanoTime.getAsLong()));
+      return response;
+    } finally {
+      turns.release();
+    }
+  }
+
+  private void awaitReport(NodeId session) {
+    report(session)
+        .completeOnTimeout(null, LONGEST_REPORT.toMillis(), TimeUnit.MILLISECONDS)
+        .join();
+    reports.remove(session);
+  }
+
+  /** Returns the future that completes when a session has been reported. */
+  private CompletableFuture<Void> report(NodeId session) {
+    return reports.computeIfAbsent(session, it -> new CompletableFuture<>());
   }
 
   private synchronized CreateSessionResponse create(
@@ -92,10 +160,7 @@ final class LogIns extends DefaultSessionServiceSet {
         && !waiting.isEmpty()) {
       end(oldestOfMost());
     }
-    CreateSessionResponse response = super.onCreateSession(context, request);
-    NodeId token = response.getAuthenticationToken();
-    waiting.put(token, new Waiting(token, context, nanoTime.getAsLong()));
-    return response;
+    return super.onCreateSession(context, request);
   }
 
   /** Returns the oldest session of the address that has most of those that are not logged in. */
@@ -140,9 +205,18 @@ final class LogIns extends DefaultSessionServiceSet {
           "a client with an invalid log-in (" + Users.printable(e.toString()) + ")");
       throw new UaException(StatusCodes.Bad_IdentityTokenInvalid, e);
     }
-    waiting.remove(request.getRequestHeader().getAuthenticationToken());
+    if (waiting.remove(request.getRequestHeader().getAuthenticationToken()) != null) {
+      Session session = server.getSessionManager().getSession(context, request.getRequestHeader());
+      LOG.info("OPC UA: session {} from {}", name(session), session.getClientAddress());
+    }
     Connections.loggedIn(context);
     return response;
+  }
+
+  /** Returns the name that the client of a session has chosen, for the log. */
+  static String name(Session session) {
+    String name = session.getSessionName();
+    return name == null ? "" : Users.printable(name);
   }
 
   /** Ends the sessions without a connection, and those that wait longer than a time. */

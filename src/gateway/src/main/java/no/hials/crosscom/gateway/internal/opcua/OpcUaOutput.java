@@ -16,6 +16,8 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
+import java.util.concurrent.ScheduledExecutorService;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
@@ -66,6 +68,7 @@ final class OpcUaOutput implements Output {
   private final Pki pki;
   private final int port;
   private final ExecutorService executor = executor();
+  private final ScheduledExecutorService timer = timer();
   private final Connections connections;
   private final OpcUaServer server;
   private final CompanionTypes types;
@@ -177,12 +180,22 @@ final class OpcUaOutput implements Output {
         60,
         TimeUnit.SECONDS,
         new SynchronousQueue<>(),
-        task -> {
-          Thread thread = new Thread(task, "opcua");
-          thread.setDaemon(true);
-          return thread;
-        },
+        task -> daemon(task, "opcua"),
         new ThreadPoolExecutor.CallerRunsPolicy());
+  }
+
+  /** Returns an executor for tasks at a time. That of Milo keeps sessions that have ended. */
+  private static ScheduledExecutorService timer() {
+    ScheduledThreadPoolExecutor timer =
+        new ScheduledThreadPoolExecutor(2, task -> daemon(task, "opcua-timer"));
+    timer.setRemoveOnCancelPolicy(true);
+    return timer;
+  }
+
+  private static Thread daemon(Runnable task, String name) {
+    Thread thread = new Thread(task, name);
+    thread.setDaemon(true);
+    return thread;
   }
 
   private OpcUaServerConfig config() {
@@ -197,6 +210,7 @@ final class OpcUaOutput implements Output {
         .setIdentityValidator(users.validator())
         .setEndpoints(endpoints())
         .setExecutor(executor)
+        .setScheduledExecutor(timer)
         .setLimits(new Subscriptions.Limits())
         .build();
   }
@@ -257,23 +271,19 @@ final class OpcUaOutput implements Output {
     return new UserTokenPolicy(id, type, null, null, SecurityPolicy.Basic256Sha256.getUri());
   }
 
-  private static String name(Session session) {
-    String name = session.getSessionName();
-    return name == null ? "" : Users.printable(name);
-  }
-
   private final class Sessions implements SessionListener {
     @Override
     public void onSessionCreated(Session session) {
       sessions.set(sessions());
-      LOG.info("OPC UA: session {} from {}", name(session), session.getClientAddress());
     }
 
     @Override
     public void onSessionClosed(Session session) {
       sessions.set(sessions());
       subscriptions.end(session);
-      LOG.info("OPC UA: session {} has ended", name(session));
+      if (session.getIdentity() != null) {
+        LOG.info("OPC UA: session {} has ended", LogIns.name(session));
+      }
     }
   }
 
@@ -339,6 +349,7 @@ final class OpcUaOutput implements Output {
     }
     namespace.shutdown();
     types.shutdown();
+    timer.shutdownNow();
     executor.shutdown();
     sessions.set(0);
     try {

@@ -2,6 +2,7 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static java.nio.charset.StandardCharsets.US_ASCII;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 import static org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn.Neither;
 
@@ -27,6 +28,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.atomic.AtomicLong;
+import javax.management.ObjectName;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
@@ -37,6 +39,7 @@ import no.hials.crosscom.gateway.OneRobotContext;
 import no.hials.crosscom.mock.MockServer;
 import no.hials.crosscom.mock.junit.KukaController;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
+import org.eclipse.milo.opcua.sdk.server.Session;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
 import org.eclipse.milo.opcua.stack.core.encoding.DefaultEncodingContext;
 import org.eclipse.milo.opcua.stack.core.encoding.binary.OpcUaBinaryDecoder;
@@ -446,20 +449,71 @@ class ConnectionsTest {
     }
     for (Channel channel : channels) {
       ByteArrayOutputStream flood = new ByteArrayOutputStream();
-      for (int number = 2; number < 1002; number++) {
+      for (int number = 2; number < 62; number++) {
         flood.write(bytes(channel.message(number, createSession(header(NodeId.NULL_VALUE)))));
       }
       channel.socket().getOutputStream().write(flood.toByteArray());
     }
 
     for (Channel channel : channels) {
-      for (int number = 2; number < 1002; number++) {
+      for (int number = 2; number < 62; number++) {
         answer(channel.socket());
       }
     }
 
     assertThat(threads.getPeakThreadCount() - before).isLessThan(550);
     OpcUaClient.create(url()).connect().disconnect();
+  }
+
+  /** Returns the number of sessions that the memory has, also of servers of other tests. */
+  private static int sessionsInMemory() throws Exception {
+    String histogram =
+        (String)
+            ManagementFactory.getPlatformMBeanServer()
+                .invoke(
+                    new ObjectName("com.sun.management:type=DiagnosticCommand"),
+                    "gcClassHistogram",
+                    new Object[] {new String[0]},
+                    new String[] {String[].class.getName()});
+    return histogram
+        .lines()
+        .filter(line -> line.endsWith(" " + Session.class.getName()))
+        .mapToInt(line -> Integer.parseInt(line.trim().split("\\s+", -1)[1]))
+        .sum();
+  }
+
+  @Test
+  void sessionsThatHaveEndedTakeNoMemory() throws Exception {
+    Channel channel = open(hello("127.0.0.1"), 600_000);
+    createSession(channel);
+    int before = sessionsInMemory();
+
+    for (int number = 3; number < 203; number++) {
+      channel.send(number, createSession(header(NodeId.NULL_VALUE)));
+    }
+
+    assertThat(sessionsInMemory()).isBetween(1, before + 100);
+  }
+
+  @Test
+  void aSessionWithALongNameIsRefused() throws Exception {
+    OpcUaClient client = OpcUaClient.create(url()).connect();
+    CreateSessionRequest request = createSession(client.newRequestHeader());
+    CreateSessionRequest named =
+        new CreateSessionRequest(
+            request.getRequestHeader(),
+            request.getClientDescription(),
+            null,
+            url(),
+            "x".repeat(513),
+            null,
+            null,
+            1e9,
+            uint(0));
+
+    assertThatThrownBy(() -> client.getTransport().sendRequestMessage(named).get())
+        .hasMessageContaining("Bad_InvalidArgument");
+    client.disconnect();
   }
 
   @Test

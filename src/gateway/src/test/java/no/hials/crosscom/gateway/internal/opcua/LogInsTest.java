@@ -1,0 +1,207 @@
+package no.hials.crosscom.gateway.internal.opcua;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import javax.management.ObjectName;
+import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
+import org.eclipse.milo.opcua.sdk.server.Session;
+import org.eclipse.milo.opcua.stack.core.encoding.DefaultEncodingContext;
+import org.eclipse.milo.opcua.stack.core.types.UaResponseMessageType;
+import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
+import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
+import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
+import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.ApplicationType;
+import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.AnonymousIdentityToken;
+import org.eclipse.milo.opcua.stack.core.types.structured.ApplicationDescription;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
+import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
+import org.eclipse.milo.opcua.stack.core.types.structured.SignatureData;
+import org.junit.jupiter.api.Test;
+
+/** Clients that create sessions and do not log in. */
+class LogInsTest extends SocketClientsTest {
+  private CreateSessionRequest createSession(RequestHeader header) {
+    ApplicationDescription application =
+        new ApplicationDescription(
+            "urn:test", "", LocalizedText.english(""), ApplicationType.Client, null, null, null);
+    return new CreateSessionRequest(
+        header, application, null, url(), "idle", null, null, 1e9, uint(0));
+  }
+
+  /** Creates a session on the connection of a client, and does not log in. */
+  private void createSession(OpcUaClient client) throws Exception {
+    CreateSessionRequest request = createSession(client.newRequestHeader());
+    assertThat(client.getTransport().sendRequestMessage(request).get())
+        .isInstanceOf(CreateSessionResponse.class);
+  }
+
+  /** Creates a session on a connection of its own, and returns its token. */
+  private NodeId createSession(Channel channel) throws IOException {
+    CreateSessionResponse created =
+        (CreateSessionResponse) channel.send(2, createSession(header(NodeId.NULL_VALUE)));
+    return created.getAuthenticationToken();
+  }
+
+  /** Waits for a number of sessions; the test's timeout is the deadline. */
+  private void awaitSessions(OpcUaClient client, int number) throws Exception {
+    do {
+      assertLoggedIn(client);
+    } while (server.sessions() != number);
+  }
+
+  @Test
+  void sessionsThatAreNotLoggedInKeepNobodyOut() throws Exception {
+    OpcUaClient client = OpcUaClient.create(url()).connect();
+    for (int i = 0; i < 200; i++) {
+      createSession(client);
+    }
+    client.disconnect();
+
+    OpcUaClient.create(url()).connect().disconnect();
+  }
+
+  @Test
+  void theOldestSessionThatIsNotLoggedInEndsWhenThereAreTooMany() throws Exception {
+    List<OpcUaClient> clients = new ArrayList<>();
+    for (int i = 0; i < 60; i++) {
+      OpcUaClient client = OpcUaClient.create(url()).connect();
+      clients.add(client);
+      createSession(client);
+    }
+
+    awaitSessions(clients.get(0), 100);
+    for (OpcUaClient client : clients) {
+      assertLoggedIn(client);
+      client.disconnect();
+    }
+  }
+
+  @Test
+  void manySessionsOfOneAddressDoNotEndThatOfAnother() throws Exception {
+    Channel slow = open(hello("127.0.0.2"), 600_000);
+    NodeId session = createSession(slow);
+    for (int i = 0; i < 100; i++) {
+      createSession(open(hello("127.0.0.1"), 600_000));
+    }
+
+    UaResponseMessageType answer =
+        slow.send(
+            3,
+            new ActivateSessionRequest(
+                header(session),
+                new SignatureData(null, null),
+                null,
+                null,
+                ExtensionObject.encode(
+                    DefaultEncodingContext.INSTANCE, new AnonymousIdentityToken("anonymous")),
+                new SignatureData(null, null)));
+
+    assertThat(answer.getResponseHeader().getServiceResult()).isEqualTo(StatusCode.GOOD);
+  }
+
+  @Test
+  void aFloodOfLogInsOverAConnectionDoesNotTakeManyThreads() throws Exception {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    threads.resetPeakThreadCount();
+    int before = threads.getThreadCount();
+    List<Channel> channels = new ArrayList<>();
+    for (int i = 0; i < 10; i++) {
+      channels.add(open(hello("127.0.0.1"), 600_000));
+    }
+    for (Channel channel : channels) {
+      ByteArrayOutputStream flood = new ByteArrayOutputStream();
+      for (int number = 2; number < 62; number++) {
+        flood.write(bytes(channel.message(number, createSession(header(NodeId.NULL_VALUE)))));
+      }
+      channel.socket().getOutputStream().write(flood.toByteArray());
+    }
+
+    for (Channel channel : channels) {
+      for (int number = 2; number < 62; number++) {
+        answer(channel.socket());
+      }
+    }
+
+    assertThat(threads.getPeakThreadCount() - before).isLessThan(550);
+    OpcUaClient.create(url()).connect().disconnect();
+  }
+
+  /** Returns the number of sessions that the memory has, also of servers of other tests. */
+  private static int sessionsInMemory() throws Exception {
+    String histogram =
+        (String)
+            ManagementFactory.getPlatformMBeanServer()
+                .invoke(
+                    new ObjectName("com.sun.management:type=DiagnosticCommand"),
+                    "gcClassHistogram",
+                    new Object[] {new String[0]},
+                    new String[] {String[].class.getName()});
+    return histogram
+        .lines()
+        .filter(line -> line.endsWith(" " + Session.class.getName()))
+        .mapToInt(line -> Integer.parseInt(line.trim().split("\\s+", -1)[1]))
+        .sum();
+  }
+
+  @Test
+  void sessionsThatHaveEndedTakeNoMemory() throws Exception {
+    Channel channel = open(hello("127.0.0.1"), 600_000);
+    createSession(channel);
+    int before = sessionsInMemory();
+
+    for (int number = 3; number < 203; number++) {
+      channel.send(number, createSession(header(NodeId.NULL_VALUE)));
+    }
+
+    assertThat(sessionsInMemory()).isBetween(1, before + 100);
+  }
+
+  @Test
+  void aSessionWithALongNameIsRefused() throws Exception {
+    OpcUaClient client = OpcUaClient.create(url()).connect();
+    CreateSessionRequest request = createSession(client.newRequestHeader());
+    CreateSessionRequest named =
+        new CreateSessionRequest(
+            request.getRequestHeader(),
+            request.getClientDescription(),
+            null,
+            url(),
+            "x".repeat(513),
+            null,
+            null,
+            1e9,
+            uint(0));
+
+    assertThatThrownBy(() -> client.getTransport().sendRequestMessage(named).get())
+        .hasMessageContaining("Bad_InvalidArgument");
+    client.disconnect();
+  }
+
+  @Test
+  void aSessionThatIsNotLoggedInEndsWithItsConnectionOrAfterSomeTime() throws Exception {
+    OpcUaClient leaving = OpcUaClient.create(url()).connect();
+    createSession(leaving);
+    OpcUaClient staying = OpcUaClient.create(url()).connect();
+    createSession(staying);
+    awaitSessions(staying, 4);
+
+    leaving.disconnect();
+    awaitSessions(staying, 2);
+
+    now.addAndGet(Duration.ofSeconds(31).toNanos());
+    awaitSessions(staying, 1);
+    staying.disconnect();
+  }
+}

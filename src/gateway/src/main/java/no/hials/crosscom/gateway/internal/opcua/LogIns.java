@@ -102,6 +102,8 @@ final class LogIns extends DefaultSessionServiceSet {
     }
     try {
       return step.run();
+    } catch (RuntimeException e) {
+      throw new UaException(StatusCodes.Bad_InvalidArgument, e); // Milo would not answer
     } finally {
       busy.remove(context.getChannel());
     }

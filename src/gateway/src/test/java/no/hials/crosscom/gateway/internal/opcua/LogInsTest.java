@@ -33,11 +33,20 @@ import org.junit.jupiter.api.Test;
 /** Clients that create sessions and do not log in. */
 class LogInsTest extends SocketClientsTest {
   private CreateSessionRequest createSession(RequestHeader header) {
+    return createSession(header, "idle", 1e9);
+  }
+
+  /**
+   * Returns a request for a session.
+   *
+   * @param timeout in ms
+   */
+  private CreateSessionRequest createSession(RequestHeader header, String name, double timeout) {
     ApplicationDescription application =
         new ApplicationDescription(
             "urn:test", "", LocalizedText.english(""), ApplicationType.Client, null, null, null);
     return new CreateSessionRequest(
-        header, application, null, url(), "idle", null, null, 1e9, uint(0));
+        header, application, null, url(), name, null, null, timeout, uint(0));
   }
 
   /** Creates a session on the connection of a client, and does not log in. */
@@ -169,24 +178,19 @@ class LogInsTest extends SocketClientsTest {
   }
 
   @Test
-  void aSessionWithALongNameIsRefused() throws Exception {
+  void aSessionThatCannotBeCreatedIsRefused() throws Exception {
     OpcUaClient client = OpcUaClient.create(url()).connect();
-    CreateSessionRequest request = createSession(client.newRequestHeader());
-    CreateSessionRequest named =
-        new CreateSessionRequest(
-            request.getRequestHeader(),
-            request.getClientDescription(),
-            null,
-            url(),
-            "x".repeat(513),
-            null,
-            null,
-            1e9,
-            uint(0));
 
-    assertThatThrownBy(() -> client.getTransport().sendRequestMessage(named).get())
-        .hasMessageContaining("Bad_InvalidArgument");
+    assertRefused(client, "x".repeat(513), 1000);
+    assertRefused(client, "idle", Double.NaN);
     client.disconnect();
+  }
+
+  private void assertRefused(OpcUaClient client, String name, double timeout) {
+    CreateSessionRequest request = createSession(client.newRequestHeader(), name, timeout);
+
+    assertThatThrownBy(() -> client.getTransport().sendRequestMessage(request).get())
+        .hasMessageContaining("Bad_InvalidArgument");
   }
 
   @Test

@@ -223,11 +223,13 @@ final class WriteOrder {
       if (!(request instanceof WriteRequest write)) {
         return server.handleServiceRequest(context, request);
       }
-      Set<Line> of = lines(context.getChannel(), write);
+      Set<Line> of;
       CompletableFuture<Void> answered = new CompletableFuture<>();
       CompletableFuture<Void> turn;
       try {
-        turn = enter(context.getChannel(), of, size(write), answered);
+        int size = size(write);
+        of = lines(context.getChannel(), write);
+        turn = enter(context.getChannel(), of, size, answered);
       } catch (UaException e) {
         return CompletableFuture.failedFuture(e);
       }

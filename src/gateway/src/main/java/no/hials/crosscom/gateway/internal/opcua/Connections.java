@@ -40,6 +40,10 @@ final class Connections {
   private static final int MAX = 150;
 
   private static final int MAX_OF_ADDRESS = 100;
+
+  /** The time until the first message. Milo keeps each connection that long, also a closed one. */
+  private static final Duration LONGEST_SILENCE = Duration.ofSeconds(5);
+
   private static final Duration LONGEST_UNUSED = Duration.ofSeconds(30);
   private static final Duration LONGEST_CHANNEL = Duration.ofHours(1);
 
@@ -63,6 +67,7 @@ final class Connections {
   OpcTcpServerTransportConfig transport(ExecutorService executor) {
     return OpcTcpServerTransportConfig.newBuilder()
         .setExecutor(executor)
+        .setHelloDeadline(uint(LONGEST_SILENCE.toMillis()))
         .setMaximumSecureChannelLifetime(uint(LONGEST_CHANNEL.toMillis()))
         .setChannelPipelineCustomizer(this::accept)
         .build();

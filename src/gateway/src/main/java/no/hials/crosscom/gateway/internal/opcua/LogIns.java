@@ -5,7 +5,6 @@ import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.
 import io.netty.channel.Channel;
 import java.net.InetAddress;
 import java.time.Duration;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -165,13 +164,17 @@ final class LogIns extends DefaultSessionServiceSet {
     return super.onCreateSession(context, request);
   }
 
-  /** Returns the oldest session of the address that has most of those that are not logged in. */
+  /** Returns the oldest session of the addresses that have most of those that are not logged in. */
   private Waiting oldestOfMost() {
     Map<InetAddress, List<Waiting>> addresses =
         waiting.values().stream()
             .collect(Collectors.groupingBy(it -> it.context().clientAddress()));
-    List<Waiting> most = Collections.max(addresses.values(), Comparator.comparing(List::size));
-    return Collections.min(most, Comparator.comparing(Waiting::since));
+    int most = addresses.values().stream().mapToInt(List::size).max().orElseThrow();
+    return addresses.values().stream()
+        .filter(it -> it.size() == most)
+        .flatMap(List::stream)
+        .min(Comparator.comparing(Waiting::since))
+        .orElseThrow();
   }
 
   // Milo would never remove a session that is closed during its log-in, so only one runs at a time

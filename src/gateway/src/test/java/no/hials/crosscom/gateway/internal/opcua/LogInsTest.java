@@ -105,8 +105,29 @@ class LogInsTest extends SocketClientsTest {
       createSession(open(hello("127.0.0.1"), 600_000));
     }
 
+    assertThat(logIn(slow, session)).isEqualTo(StatusCode.GOOD);
+  }
+
+  @Test
+  void theOldestSessionEndsFirstIfEachHasAnAddressOfItsOwn() throws Exception {
+    for (int i = 1; i < 100; i++) {
+      createSession(open(hello("127.0.1." + i), 600_000));
+      now.incrementAndGet();
+    }
+    Channel youngest = open(hello("127.0.0.1"), 600_000);
+    NodeId session = createSession(youngest);
+    for (int i = 1; i < 40; i++) {
+      now.incrementAndGet();
+      createSession(open(hello("127.0.2." + i), 600_000));
+    }
+
+    assertThat(logIn(youngest, session)).isEqualTo(StatusCode.GOOD);
+  }
+
+  /** Logs in without a user, and returns the status of the answer. */
+  private static StatusCode logIn(Channel channel, NodeId session) throws IOException {
     UaResponseMessageType answer =
-        slow.send(
+        channel.send(
             3,
             new ActivateSessionRequest(
                 header(session),
@@ -116,8 +137,7 @@ class LogInsTest extends SocketClientsTest {
                 ExtensionObject.encode(
                     DefaultEncodingContext.INSTANCE, new AnonymousIdentityToken("anonymous")),
                 new SignatureData(null, null)));
-
-    assertThat(answer.getResponseHeader().getServiceResult()).isEqualTo(StatusCode.GOOD);
+    return answer.getResponseHeader().getServiceResult();
   }
 
   @Test

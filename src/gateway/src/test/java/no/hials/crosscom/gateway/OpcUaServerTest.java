@@ -25,6 +25,11 @@ abstract class OpcUaServerTest {
   /** Returns the configuration, in which the password of a user such as anna is "of anna". */
   abstract String config();
 
+  /** Returns the beginning of the configuration, the table of the robot cell1. */
+  final String cell1() {
+    return "[robots.cell1]\nhost = \"%s\"\nport = %d\n".formatted(robot.host(), robot.port());
+  }
+
   @BeforeEach
   void start() throws Exception {
     Files.deleteIfExists(folder.resolve("audit.jsonl"));

@@ -32,10 +32,8 @@ import org.junit.jupiter.api.Test;
 class OpcUaSubscriptionsTest extends OpcUaServerTest {
   @Override
   String config() {
-    return """
-    [robots.cell1]
-    host = "%s"
-    port = %d
+    return cell1()
+        + """
 
     [groups.all]
     variables = ["$OV_PRO"]
@@ -43,8 +41,7 @@ class OpcUaSubscriptionsTest extends OpcUaServerTest {
 
     [opcua]
     address = "127.0.0.1:PORT"
-    """
-        .formatted(robot.host(), robot.port());
+    """;
   }
 
   private CreateSubscriptionResponse createSubscription(double interval) throws UaException {

@@ -40,10 +40,8 @@ class OpcUaTest extends OpcUaServerTest {
 
   @Override
   String config() {
-    return """
-    [robots.cell1]
-    host = "%s"
-    port = %d
+    return cell1()
+        + """
     timeout = "1s"
 
     [limits]
@@ -71,8 +69,7 @@ class OpcUaTest extends OpcUaServerTest {
     [opcua.users.vera]
     role = "viewer"
     password-file = "vera.txt"
-    """
-        .formatted(robot.host(), robot.port());
+    """;
   }
 
   private List<String> browse(NodeId from, String namespace, int type) throws UaException {

@@ -28,10 +28,8 @@ import org.junit.jupiter.api.Test;
 class OpcUaWritesTest extends OpcUaServerTest {
   @Override
   String config() {
-    return """
-    [robots.cell1]
-    host = "%s"
-    port = %d
+    return cell1()
+        + """
     timeout = "20s"
 
     [groups.all]
@@ -48,8 +46,7 @@ class OpcUaWritesTest extends OpcUaServerTest {
     [opcua.users.anna]
     role = "operator"
     password-file = "anna.txt"
-    """
-        .formatted(robot.host(), robot.port());
+    """;
   }
 
   @BeforeEach

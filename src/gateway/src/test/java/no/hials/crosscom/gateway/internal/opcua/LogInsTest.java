@@ -2,65 +2,28 @@ package no.hials.crosscom.gateway.internal.opcua;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
-import static org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.Unsigned.uint;
 
 import java.io.ByteArrayOutputStream;
-import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import javax.management.ObjectName;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.sdk.server.Session;
-import org.eclipse.milo.opcua.stack.core.encoding.DefaultEncodingContext;
-import org.eclipse.milo.opcua.stack.core.types.UaResponseMessageType;
-import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
-import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
-import org.eclipse.milo.opcua.stack.core.types.enumerated.ApplicationType;
-import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
-import org.eclipse.milo.opcua.stack.core.types.structured.AnonymousIdentityToken;
-import org.eclipse.milo.opcua.stack.core.types.structured.ApplicationDescription;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
 import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
-import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
-import org.eclipse.milo.opcua.stack.core.types.structured.SignatureData;
 import org.junit.jupiter.api.Test;
 
 /** Clients that create sessions and do not log in. */
 class LogInsTest extends SocketClientsTest {
-  private CreateSessionRequest createSession(RequestHeader header) {
-    return createSession(header, "idle", 1e9);
-  }
-
-  /**
-   * Returns a request for a session.
-   *
-   * @param timeout in ms
-   */
-  private CreateSessionRequest createSession(RequestHeader header, String name, double timeout) {
-    ApplicationDescription application =
-        new ApplicationDescription(
-            "urn:test", "", LocalizedText.english(""), ApplicationType.Client, null, null, null);
-    return new CreateSessionRequest(
-        header, application, null, url(), name, null, null, timeout, uint(0));
-  }
-
   /** Creates a session on the connection of a client, and does not log in. */
   private void createSession(OpcUaClient client) throws Exception {
     CreateSessionRequest request = createSession(client.newRequestHeader());
     assertThat(client.getTransport().sendRequestMessage(request).get())
         .isInstanceOf(CreateSessionResponse.class);
-  }
-
-  /** Creates a session on a connection of its own, and returns its token. */
-  private NodeId createSession(Channel channel) throws IOException {
-    CreateSessionResponse created =
-        (CreateSessionResponse) channel.send(2, createSession(header(NodeId.NULL_VALUE)));
-    return created.getAuthenticationToken();
   }
 
   /** Waits for a number of sessions; the test's timeout is the deadline. */
@@ -124,22 +87,6 @@ class LogInsTest extends SocketClientsTest {
     assertThat(logIn(youngest, session)).isEqualTo(StatusCode.GOOD);
   }
 
-  /** Logs in without a user, and returns the status of the answer. */
-  private static StatusCode logIn(Channel channel, NodeId session) throws IOException {
-    UaResponseMessageType answer =
-        channel.send(
-            3,
-            new ActivateSessionRequest(
-                header(session),
-                new SignatureData(null, null),
-                null,
-                null,
-                ExtensionObject.encode(
-                    DefaultEncodingContext.INSTANCE, new AnonymousIdentityToken("anonymous")),
-                new SignatureData(null, null)));
-    return answer.getResponseHeader().getServiceResult();
-  }
-
   @Test
   void aFloodOfLogInsOverAConnectionDoesNotTakeManyThreads() throws Exception {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
@@ -167,34 +114,17 @@ class LogInsTest extends SocketClientsTest {
     OpcUaClient.create(url()).connect().disconnect();
   }
 
-  /** Returns the number of sessions that the memory has, also of servers of other tests. */
-  private static int sessionsInMemory() throws Exception {
-    String histogram =
-        (String)
-            ManagementFactory.getPlatformMBeanServer()
-                .invoke(
-                    new ObjectName("com.sun.management:type=DiagnosticCommand"),
-                    "gcClassHistogram",
-                    new Object[] {new String[0]},
-                    new String[] {String[].class.getName()});
-    return histogram
-        .lines()
-        .filter(line -> line.endsWith(" " + Session.class.getName()))
-        .mapToInt(line -> Integer.parseInt(line.trim().split("\\s+", -1)[1]))
-        .sum();
-  }
-
   @Test
   void sessionsThatHaveEndedTakeNoMemory() throws Exception {
     Channel channel = open(hello("127.0.0.1"), 600_000);
     createSession(channel);
-    int before = sessionsInMemory();
+    int before = inMemory(Session.class);
 
     for (int number = 3; number < 203; number++) {
       channel.send(number, createSession(header(NodeId.NULL_VALUE)));
     }
 
-    assertThat(sessionsInMemory()).isBetween(1, before + 100);
+    assertThat(inMemory(Session.class)).isBetween(1, before + 100);
   }
 
   @Test

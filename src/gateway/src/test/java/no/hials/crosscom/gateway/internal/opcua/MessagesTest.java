@@ -8,6 +8,8 @@ import io.netty.buffer.ByteBuf;
 import io.netty.buffer.ByteBufUtil;
 import io.netty.buffer.Unpooled;
 import io.netty.channel.embedded.EmbeddedChannel;
+import io.netty.channel.socket.nio.NioSocketChannel;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.net.Socket;
 import java.nio.ByteBuffer;
@@ -115,5 +117,33 @@ class MessagesTest extends SocketClientsTest {
     assertThat(second.refCnt()).isEqualTo(1);
     assertThat(ByteBufUtil.getBytes(second)).isEqualTo(chunk);
     assertThat(channel.alloc().isDirectBufferPooled()).isFalse();
+  }
+
+  /** Milo releases the buffers of such a message twice. */
+  @Test
+  void aConnectionWithADamagedMessageIsClosedAndTakesNoMemory() throws Exception {
+    int before = inMemory(NioSocketChannel.class);
+    for (int i = 0; i < 50; i++) {
+      Channel channel = open(hello("127.0.0.1"), 600_000);
+      logIn(channel, createSession(channel));
+      ByteArrayOutputStream message = new ByteArrayOutputStream();
+      message.write(chunk(channel, "MSGC", 4));
+      message.write(chunk(channel, "MSGF", 1)); // must be 5
+      channel.socket().getOutputStream().write(message.toByteArray());
+
+      while (!isClosed(channel.socket())) {
+        // an error message
+      }
+    }
+
+    // the server forgets closed connections after 5 s; the test's timeout is the deadline
+    while (inMemory(NioSocketChannel.class) > before + 25) {
+      Thread.sleep(100);
+    }
+  }
+
+  private static byte[] chunk(Channel channel, String type, int number) {
+    return bytes(
+        message(type).putInt(channel.id()).putInt(channel.token()).putInt(number).putInt(4));
   }
 }

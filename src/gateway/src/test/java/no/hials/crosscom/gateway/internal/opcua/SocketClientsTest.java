@@ -9,6 +9,7 @@ import io.netty.buffer.ByteBuf;
 import io.netty.buffer.Unpooled;
 import java.io.DataInputStream;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.net.SocketException;
@@ -19,6 +20,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
+import javax.management.ObjectName;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.TomlTable;
 import no.hials.crosscom.cell.feed.Plant;
@@ -36,9 +38,18 @@ import org.eclipse.milo.opcua.stack.core.encoding.binary.OpcUaBinaryEncoder;
 import org.eclipse.milo.opcua.stack.core.types.UaRequestMessageType;
 import org.eclipse.milo.opcua.stack.core.types.UaResponseMessageType;
 import org.eclipse.milo.opcua.stack.core.types.builtin.DateTime;
+import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
+import org.eclipse.milo.opcua.stack.core.types.builtin.LocalizedText;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
 import org.eclipse.milo.opcua.stack.core.types.builtin.StatusCode;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.ApplicationType;
+import org.eclipse.milo.opcua.stack.core.types.structured.ActivateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.AnonymousIdentityToken;
+import org.eclipse.milo.opcua.stack.core.types.structured.ApplicationDescription;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.CreateSessionResponse;
 import org.eclipse.milo.opcua.stack.core.types.structured.RequestHeader;
+import org.eclipse.milo.opcua.stack.core.types.structured.SignatureData;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Timeout;
@@ -201,5 +212,62 @@ abstract class SocketClientsTest {
   static void assertLoggedIn(OpcUaClient client) throws Exception {
     assertThat(client.readValue(0, Neither, NodeIds.Server_ServerStatus_State).statusCode())
         .isEqualTo(StatusCode.GOOD);
+  }
+
+  CreateSessionRequest createSession(RequestHeader header) {
+    return createSession(header, "idle", 1e9);
+  }
+
+  /**
+   * Returns a request for a session.
+   *
+   * @param timeout in ms
+   */
+  CreateSessionRequest createSession(RequestHeader header, String name, double timeout) {
+    ApplicationDescription application =
+        new ApplicationDescription(
+            "urn:test", "", LocalizedText.english(""), ApplicationType.Client, null, null, null);
+    return new CreateSessionRequest(
+        header, application, null, url(), name, null, null, timeout, uint(0));
+  }
+
+  /** Creates a session on a connection of its own, and returns its token. */
+  NodeId createSession(Channel channel) throws IOException {
+    CreateSessionResponse created =
+        (CreateSessionResponse) channel.send(2, createSession(header(NodeId.NULL_VALUE)));
+    return created.getAuthenticationToken();
+  }
+
+  /** Logs in without a user, and returns the status of the answer. */
+  static StatusCode logIn(Channel channel, NodeId session) throws IOException {
+    UaResponseMessageType answer =
+        channel.send(
+            3,
+            new ActivateSessionRequest(
+                header(session),
+                new SignatureData(null, null),
+                null,
+                null,
+                ExtensionObject.encode(
+                    DefaultEncodingContext.INSTANCE, new AnonymousIdentityToken("anonymous")),
+                new SignatureData(null, null)));
+    return answer.getResponseHeader().getServiceResult();
+  }
+
+  /** Returns the number of objects of a class in the memory, also of those of other tests. */
+  static int inMemory(Class<?> type) throws Exception {
+    String histogram =
+        (String)
+            ManagementFactory.getPlatformMBeanServer()
+                .invoke(
+                    new ObjectName("com.sun.management:type=DiagnosticCommand"),
+                    "gcClassHistogram",
+                    new Object[] {new String[0]},
+                    new String[] {String[].class.getName()});
+    return histogram
+        .lines()
+        .filter(line -> line.endsWith(" " + type.getName()))
+        .mapToInt(line -> Integer.parseInt(line.trim().split("\\s+", -1)[1]))
+        .sum();
   }
 }

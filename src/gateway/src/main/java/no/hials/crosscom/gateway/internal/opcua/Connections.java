@@ -87,8 +87,7 @@ final class Connections {
       return;
     }
     refusing = false;
-    // Milo releases the buffers of a damaged message twice: from a pool, another one would have
-    // them
+    // without a pool, since Milo releases the buffers of a damaged message twice
     channel.config().setAllocator(UnpooledByteBufAllocator.DEFAULT);
     pipeline.addFirst(new Messages(() -> channel.attr(SECURE_CHANNEL).get() != null));
     ChannelFuture unused =

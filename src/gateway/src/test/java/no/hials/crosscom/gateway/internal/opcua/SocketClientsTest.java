@@ -188,7 +188,7 @@ abstract class SocketClientsTest {
 
     ByteBuffer message(int number, UaRequestMessageType request) {
       ByteBuffer message =
-          ConnectionsTest.message("MSGF").putInt(id).putInt(token).putInt(number).putInt(number);
+          SocketClientsTest.message("MSGF").putInt(id).putInt(token).putInt(number).putInt(number);
       ByteBuf body = Unpooled.buffer();
       new OpcUaBinaryEncoder(DefaultEncodingContext.INSTANCE)
           .setBuffer(body)

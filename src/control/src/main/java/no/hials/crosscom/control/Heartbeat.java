@@ -49,6 +49,9 @@ final class Heartbeat {
   private int limitBefore;
   private long next;
 
+  /** The time of the last beat, or when the first one was seen. */
+  private long last;
+
   /** The heartbeat before the other checks; null if the controller does not have it. */
   private @Nullable Integer first;
 
@@ -171,10 +174,11 @@ final class Heartbeat {
       }
       pause();
     }
+    last = time.nanoTime();
     // without a limit it sees the beats as well
     channel.read(limit);
     checkLimit();
-    next = time.nanoTime();
+    next = last;
     return limitBefore > 0;
   }
 
@@ -231,10 +235,24 @@ final class Heartbeat {
     return isOn() && time.nanoTime() - next >= 0;
   }
 
-  /** Returns the next beat to be written. */
-  KRLInt next() {
+  /**
+   * Returns the next beat to be written.
+   *
+   * @throws ControlRefusedException if it is too late for the watchdog, such as after the computer
+   *     was asleep
+   */
+  KRLInt next() throws ControlRefusedException {
+    long now = time.nanoTime();
+    Guard.checkAtMost(
+        StopKind.WATCHDOG,
+        "the time between %s must be at most %s %s, is %s; the watchdog stops the program",
+        "two heartbeats",
+        (double) limitMillis,
+        "ms",
+        (now - last) / 1e6);
     count();
-    next = time.nanoTime() + interval;
+    last = now;
+    next = now + interval;
     return beat;
   }
 

@@ -410,6 +410,21 @@ class StoppingTest extends ControlTest {
   }
 
   @Test
+  void aHeartbeatThatIsTooLateForTheWatchdogStopsTheRobot() throws Exception {
+    StopReason reason =
+        runToStop(
+            "ext_move_axis.src",
+            safe(s -> s.maxFeedbackAge(Duration.ofSeconds(1))),
+            afterOneSecond(() -> time.awaitUntil(time.nanoTime() + 600_000_000)));
+
+    assertThat(reason.kind()).isEqualTo(StopKind.WATCHDOG);
+    assertThat(reason.message())
+        .startsWith("the time between two heartbeats must be at most 500 ms, is ")
+        .endsWith("; the watchdog stops the program");
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
+  }
+
+  @Test
   void aWatchdogThatWasOnBeforeStopsTheProgramAfterAPlannedEnd() throws Exception {
     client.writeText("JOV_LIMIT", "400");
     run("ext_move_axis.src");

@@ -8,6 +8,7 @@ import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
@@ -422,6 +423,20 @@ class StoppingTest extends ControlTest {
         .startsWith("the time between two heartbeats must be at most 500 ms, is ")
         .endsWith("; the watchdog stops the program");
     assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
+  }
+
+  @Test
+  void aProgramGoesOnWhenTheWatchdogIsSwitchedOffWhileItLooks() throws Exception {
+    run("ext_move_axis.src");
+    CompletableFuture<Void> cycles =
+        CompletableFuture.runAsync(() -> controller.step(Duration.ofMinutes(1)));
+    while (!cycles.isDone()) {
+      server.variables().set("JOV_LIMIT", "3600000");
+      server.variables().set("JOV_LIMIT", "0");
+    }
+    cycles.join();
+
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.ACTIVE);
   }
 
   @Test

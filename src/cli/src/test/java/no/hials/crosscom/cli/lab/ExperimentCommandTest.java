@@ -155,6 +155,16 @@ class ExperimentCommandTest {
   }
 
   @Test
+  void aRunOfOneCycleShowsNothing() {
+    Cli.Result result = experiment("position-circle", "--for", "10ms");
+
+    assertThat(result.err())
+        .contains("position-circle: a run must have at least 2 cycles, had 1 in 10 ms");
+    assertThat(result.code()).isEqualTo(1);
+    assertThat(file("position-circle.png")).doesNotExist();
+  }
+
+  @Test
   void allFilesAreThereAlsoIfNobodyReadsWhatItPrints() throws IOException {
     int code = Cli.runUnread(args("line-dls", "--for", "200ms", "--csv"));
 

@@ -64,7 +64,7 @@ public interface Experiment {
    * @param observer is told how far it is, and can end it
    * @return the outcome, even if the loop stopped the robot; if the observer ended it, of what was
    *     measured until then, or empty if that is nothing
-   * @throws ControlRefusedException if a loop did not start
+   * @throws ControlRefusedException if a loop did not start, or had no time for two cycles
    * @throws IOException if the simulated controller cannot be started or reached
    */
   Optional<ExperimentResult> run(Settings settings, CycleObserver observer)

@@ -3,6 +3,7 @@ package no.hials.crosscom.lab.experiment;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -13,6 +14,7 @@ import no.hials.crosscom.control.LoopConfig;
 import no.hials.crosscom.control.LoopStatistics;
 import no.hials.crosscom.control.Safety;
 import no.hials.crosscom.control.StopReason;
+import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.control.Trace;
 import no.hials.crosscom.protocol.code.OperatingMode;
 import no.hials.crosscom.protocol.value.Axis;
@@ -86,7 +88,23 @@ public record Run(String name, StopReason end, LoopStatistics statistics, Trace 
         return null;
       }
       Run run = run(name, robot, config(settings, length, program), law, moves);
-      return run.cycles().size() < MIN_CYCLES && run.end().isPlanned() ? null : run;
+      if (run.cycles().size() >= MIN_CYCLES || !run.end().isPlanned()) {
+        return run;
+      }
+      if (run.end().kind() == StopKind.ASKED) {
+        return null;
+      }
+      throw new ControlRefusedException(
+          new StopReason(
+              StopKind.TIME_OVER,
+              String.format(
+                  Locale.ROOT,
+                  "a run must have at least %d cycles, had %d in %d ms;"
+                      + " it needs more time, or the computer is too busy",
+                  MIN_CYCLES,
+                  run.cycles().size(),
+                  length.toMillis()),
+              null));
     }
   }
 

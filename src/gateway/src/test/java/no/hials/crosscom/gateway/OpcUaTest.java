@@ -16,17 +16,23 @@ import java.nio.file.Files;
 import java.time.Instant;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.mock.Fault;
 import org.eclipse.milo.opcua.sdk.client.OpcUaClient;
 import org.eclipse.milo.opcua.stack.core.AttributeId;
 import org.eclipse.milo.opcua.stack.core.NodeIds;
 import org.eclipse.milo.opcua.stack.core.StatusCodes;
 import org.eclipse.milo.opcua.stack.core.UaException;
+import org.eclipse.milo.opcua.stack.core.types.builtin.ByteString;
 import org.eclipse.milo.opcua.stack.core.types.builtin.DataValue;
 import org.eclipse.milo.opcua.stack.core.types.builtin.ExtensionObject;
 import org.eclipse.milo.opcua.stack.core.types.builtin.NodeId;
+import org.eclipse.milo.opcua.stack.core.types.builtin.QualifiedName;
 import org.eclipse.milo.opcua.stack.core.types.builtin.unsigned.UByte;
+import org.eclipse.milo.opcua.stack.core.types.enumerated.TimestampsToReturn;
 import org.eclipse.milo.opcua.stack.core.types.structured.EUInformation;
+import org.eclipse.milo.opcua.stack.core.types.structured.HistoryReadRequest;
+import org.eclipse.milo.opcua.stack.core.types.structured.HistoryReadValueId;
 import org.eclipse.milo.opcua.stack.core.types.structured.Range;
 import org.eclipse.milo.opcua.stack.core.types.structured.ReferenceDescription;
 import org.junit.jupiter.api.Test;
@@ -337,5 +343,33 @@ class OpcUaTest extends OpcUaServerTest {
     plant.apply(config());
 
     await(values, it -> it.statusCode().isGood());
+  }
+
+  @Test
+  void aRequestThatMiloDoesNotExpectIsAnswered() throws Exception {
+    HistoryReadRequest request =
+        new HistoryReadRequest(
+            client.newRequestHeader(client.getSession().getAuthenticationToken()),
+            ExtensionObject.of(ByteString.NULL_VALUE, NodeId.NULL_VALUE),
+            TimestampsToReturn.Both,
+            false,
+            new HistoryReadValueId[] {
+              new HistoryReadValueId(
+                  robots(client, "cell1:$OV_PRO"),
+                  null,
+                  QualifiedName.NULL_VALUE,
+                  ByteString.NULL_VALUE)
+            });
+
+    for (int i = 0; i < 2; i++) {
+      assertThatThrownBy(
+              () -> client.getTransport().sendRequestMessage(request).get(10, TimeUnit.SECONDS))
+          .cause()
+          .isInstanceOfSatisfying(
+              UaException.class,
+              it ->
+                  assertThat(it.getStatusCode().value()).isEqualTo(StatusCodes.Bad_InternalError));
+    }
+    assertThat(read(client, robots(client, "cell1:$OV_PRO")).statusCode().isGood()).isTrue();
   }
 }

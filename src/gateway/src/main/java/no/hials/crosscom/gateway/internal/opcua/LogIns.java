@@ -102,7 +102,7 @@ final class LogIns extends DefaultSessionServiceSet {
     try {
       return step.run();
     } catch (RuntimeException e) {
-      throw new UaException(StatusCodes.Bad_InvalidArgument, e); // Milo would not answer
+      throw new UaException(StatusCodes.Bad_InvalidArgument, e);
     } finally {
       busy.remove(context.getChannel());
     }
@@ -204,7 +204,6 @@ final class LogIns extends DefaultSessionServiceSet {
     try {
       response = super.onActivateSession(context, request);
     } catch (RuntimeException e) {
-      // Milo would not answer
       users.refuse(
           context.clientAddress(),
           "a client with an invalid log-in (" + Users.printable(e.toString()) + ")");

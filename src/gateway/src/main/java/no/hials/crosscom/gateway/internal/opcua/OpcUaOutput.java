@@ -15,12 +15,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
-import java.util.concurrent.SynchronousQueue;
-import java.util.concurrent.ThreadPoolExecutor;
-import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -57,9 +53,6 @@ final class OpcUaOutput implements Output {
           SecurityPolicy.Aes128_Sha256_RsaOaep,
           SecurityPolicy.Aes256_Sha256_RsaPss);
 
-  /** The maximum number of requests at a time; a write waits for its robot. */
-  private static final int MOST_THREADS = 500;
-
   private final OpcUaSettings settings;
   private final GatewayContext context;
   private final Users users;
@@ -67,7 +60,7 @@ final class OpcUaOutput implements Output {
   private final Gauge sessions;
   private final Pki pki;
   private final int port;
-  private final ExecutorService executor = executor();
+  private final RequestThreads executor = new RequestThreads(task -> daemon(task, "opcua"));
   private final ScheduledExecutorService timer = timer();
   private final Connections connections;
   private final OpcUaServer server;
@@ -103,7 +96,7 @@ final class OpcUaOutput implements Output {
     port = freePort();
     pki = Pki.open(context.folder().resolve("opcua").resolve("pki"), settings.host());
     writes = new RobotWrites(context);
-    WriteOrder order = new WriteOrder(writes);
+    WriteOrder order = new WriteOrder(writes, executor);
     connections = new Connections(nanoTime);
     server =
         new OpcUaServer(
@@ -170,18 +163,6 @@ final class OpcUaOutput implements Output {
       Thread.currentThread().interrupt();
       throw new IOException("interrupted", e);
     }
-  }
-
-  /** Returns an executor for requests. If all threads are in use, the next ones are not read. */
-  private static ExecutorService executor() {
-    return new ThreadPoolExecutor(
-        0,
-        MOST_THREADS,
-        60,
-        TimeUnit.SECONDS,
-        new SynchronousQueue<>(),
-        task -> daemon(task, "opcua"),
-        new ThreadPoolExecutor.CallerRunsPolicy());
   }
 
   /** Returns an executor for tasks at a time. That of Milo keeps sessions that have ended. */

@@ -35,8 +35,6 @@ import org.eclipse.milo.opcua.stack.transport.server.OpcServerTransport;
 import org.eclipse.milo.opcua.stack.transport.server.ServerApplicationContext;
 import org.eclipse.milo.opcua.stack.transport.server.ServiceRequestContext;
 import org.jspecify.annotations.Nullable;
-import org.slf4j.Logger;
-import org.slf4j.LoggerFactory;
 
 /**
  * Runs the writes of a connection to a robot one after the other, in the order of their arrival:
@@ -44,8 +42,6 @@ import org.slf4j.LoggerFactory;
  * Thread-safe.
  */
 final class WriteOrder {
-  private static final Logger LOG = LoggerFactory.getLogger(WriteOrder.class);
-
   /** The maximum size of a request, and of those of a connection that wait, in bytes. */
   private static final int MAX_SIZE = 100_000;
 
@@ -59,6 +55,7 @@ final class WriteOrder {
   private static final ThreadLocal<RobotWrites.Arrival> CURRENT = new ThreadLocal<>();
 
   private final RobotWrites writes;
+  private final RequestThreads threads;
 
   /** The requests of each line that are not answered. The first one runs. */
   private final Map<Line, Deque<CompletableFuture<Void>>> lines = new HashMap<>();
@@ -72,8 +69,9 @@ final class WriteOrder {
   /** The writes of a connection to a robot. */
   private record Line(Channel connection, String robot) {}
 
-  WriteOrder(RobotWrites writes) {
+  WriteOrder(RobotWrites writes, RequestThreads threads) {
     this.writes = writes;
+    this.threads = threads;
   }
 
   /** Returns when the request has arrived that this thread runs. */
@@ -107,10 +105,6 @@ final class WriteOrder {
         CURRENT.set(arrivals.get(context));
         try {
           return super.onWrite(context, request);
-        } catch (RuntimeException | Error e) {
-          // Milo would not answer, and the next ones would go on waiting
-          LOG.warn("OPC UA: a write has failed", e);
-          throw new UaException(StatusCodes.Bad_InternalError, e);
         } finally {
           CURRENT.remove();
         }
@@ -221,7 +215,7 @@ final class WriteOrder {
     public CompletableFuture<UaResponseMessageType> handleServiceRequest(
         ServiceRequestContext context, UaRequestMessageType request) {
       if (!(request instanceof WriteRequest write)) {
-        return server.handleServiceRequest(context, request);
+        return handle(context, request);
       }
       Set<Line> of;
       CompletableFuture<Void> answered = new CompletableFuture<>();
@@ -234,13 +228,18 @@ final class WriteOrder {
         return CompletableFuture.failedFuture(e);
       }
       arrivals.put(context, writes.arrival());
-      return turn.thenCompose(first -> server.handleServiceRequest(context, request))
+      return turn.thenCompose(first -> handle(context, request))
           .whenComplete(
               (response, failure) -> {
                 arrivals.remove(context);
                 leave(of);
                 answered.complete(null);
               });
+    }
+
+    private CompletableFuture<UaResponseMessageType> handle(
+        ServiceRequestContext context, UaRequestMessageType request) {
+      return threads.handle(request, () -> server.handleServiceRequest(context, request));
     }
 
     @Override

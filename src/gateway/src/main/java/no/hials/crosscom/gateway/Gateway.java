@@ -12,6 +12,7 @@ import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.feed.Plant;
 import no.hials.crosscom.cell.feed.PollPlan;
@@ -38,12 +39,7 @@ public final class Gateway implements AutoCloseable {
   private final Map<String, RobotFeed> robots = new ConcurrentHashMap<>();
   private final Map<String, RunningOutput> outputs = new ConcurrentHashMap<>();
   private final ScheduledExecutorService timer =
-      Executors.newSingleThreadScheduledExecutor(
-          task -> {
-            Thread thread = new Thread(task, "gateway-timer");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newSingleThreadScheduledExecutor(DaemonThreadFactory.named("gateway-timer"));
   private volatile Plant plant;
   private boolean closed;
 

@@ -14,6 +14,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.FileException;
 import no.hials.crosscom.cell.Robot;
 import no.hials.crosscom.cell.TomlTable;
@@ -201,12 +202,7 @@ public final class GatewayMain implements Callable<Integer> {
           }
         };
     ScheduledFuture<?> unused =
-        Executors.newSingleThreadScheduledExecutor(
-                task -> {
-                  Thread thread = new Thread(task, "config");
-                  thread.setDaemon(true);
-                  return thread;
-                })
+        Executors.newSingleThreadScheduledExecutor(DaemonThreadFactory.named("config"))
             .scheduleWithFixedDelay(
                 Lasting.task(check), CHANGE_CHECK_SECONDS, CHANGE_CHECK_SECONDS, TimeUnit.SECONDS);
   }

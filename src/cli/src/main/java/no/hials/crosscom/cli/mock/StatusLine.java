@@ -8,6 +8,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cli.base.Console;
 import no.hials.crosscom.cli.base.LiveLine;
 import no.hials.crosscom.cli.base.MessageFeed;
@@ -29,12 +30,7 @@ final class StatusLine implements AutoCloseable {
   private final LiveLine line;
   private final OperatorKeys keys;
   private final ScheduledExecutorService executor =
-      Executors.newSingleThreadScheduledExecutor(
-          task -> {
-            Thread thread = new Thread(task, "status-line");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newSingleThreadScheduledExecutor(DaemonThreadFactory.named("status-line"));
 
   private final MessageFeed messages;
   private boolean closed;

@@ -20,6 +20,7 @@ import no.hials.crosscom.CrossComAccessException;
 import no.hials.crosscom.CrossComConnectException;
 import no.hials.crosscom.CrossComException;
 import no.hials.crosscom.CrossComValueException;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.RobotConnection;
 import no.hials.crosscom.cell.feed.PollPlan;
 import no.hials.crosscom.cell.feed.RobotFeed;
@@ -50,12 +51,7 @@ public final class CommandWriter implements AutoCloseable {
   private final Duration limit;
   private final LongSupplier millis;
   private final ExecutorService threads =
-      Executors.newCachedThreadPool(
-          task -> {
-            Thread thread = new Thread(task, "jopenshowvar-write");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newCachedThreadPool(DaemonThreadFactory.named("jopenshowvar-write"));
 
   /**
    * Creates a writer.

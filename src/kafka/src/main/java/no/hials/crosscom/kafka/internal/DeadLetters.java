@@ -12,6 +12,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.protocol.value.PrintableText;
 import org.apache.kafka.connect.errors.ConnectException;
 import org.apache.kafka.connect.sink.ErrantRecordReporter;
@@ -42,12 +43,7 @@ public final class DeadLetters implements AutoCloseable {
 
   /** The producer of Connect waits without an end for a topic that does not exist. */
   private final ExecutorService thread =
-      Executors.newSingleThreadExecutor(
-          task -> {
-            Thread created = new Thread(task, "jopenshowvar-dead-letters");
-            created.setDaemon(true);
-            return created;
-          });
+      Executors.newSingleThreadExecutor(DaemonThreadFactory.named("jopenshowvar-dead-letters"));
 
   /**
    * Creates an object that reports to Connect.

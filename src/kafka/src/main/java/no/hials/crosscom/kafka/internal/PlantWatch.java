@@ -5,6 +5,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.FileException;
 import org.jspecify.annotations.Nullable;
 import org.slf4j.Logger;
@@ -17,12 +18,7 @@ public final class PlantWatch implements AutoCloseable {
   private final String file;
   private final Runnable changed;
   private final ScheduledExecutorService timer =
-      Executors.newSingleThreadScheduledExecutor(
-          task -> {
-            Thread thread = new Thread(task, "jopenshowvar-plant");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newSingleThreadScheduledExecutor(DaemonThreadFactory.named("jopenshowvar-plant"));
   private @Nullable String text;
   private String complaint = "";
 

@@ -18,6 +18,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.function.LongSupplier;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
 import no.hials.crosscom.gateway.GatewayContext;
@@ -60,7 +61,7 @@ final class OpcUaOutput implements Output {
   private final Gauge sessions;
   private final Pki pki;
   private final int port;
-  private final RequestThreads executor = new RequestThreads(task -> daemon(task, "opcua"));
+  private final RequestThreads executor = new RequestThreads(DaemonThreadFactory.named("opcua"));
   private final ScheduledExecutorService timer = timer();
   private final Connections connections;
   private final OpcUaServer server;
@@ -168,15 +169,9 @@ final class OpcUaOutput implements Output {
   /** Returns an executor for tasks at a time. That of Milo keeps sessions that have ended. */
   private static ScheduledExecutorService timer() {
     ScheduledThreadPoolExecutor timer =
-        new ScheduledThreadPoolExecutor(2, task -> daemon(task, "opcua-timer"));
+        new ScheduledThreadPoolExecutor(2, DaemonThreadFactory.named("opcua-timer"));
     timer.setRemoveOnCancelPolicy(true);
     return timer;
-  }
-
-  private static Thread daemon(Runnable task, String name) {
-    Thread thread = new Thread(task, name);
-    thread.setDaemon(true);
-    return thread;
   }
 
   private OpcUaServerConfig config() {

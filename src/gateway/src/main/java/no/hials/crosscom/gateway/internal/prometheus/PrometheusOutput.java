@@ -14,6 +14,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.logging.Level;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.HostAndPort;
 import no.hials.crosscom.cell.feed.RobotFeed;
 import no.hials.crosscom.cell.feed.Update;
@@ -90,11 +91,7 @@ final class PrometheusOutput implements Output {
             10,
             TimeUnit.SECONDS,
             new LinkedBlockingQueue<>(),
-            task -> {
-              Thread thread = new Thread(task, "prometheus");
-              thread.setDaemon(true);
-              return thread;
-            });
+            DaemonThreadFactory.named("prometheus"));
     executor.allowCoreThreadTimeOut(true);
     return executor;
   }

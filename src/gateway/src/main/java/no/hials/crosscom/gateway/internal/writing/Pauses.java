@@ -6,6 +6,7 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.cell.Moment;
 import no.hials.crosscom.gateway.Lasting;
 
@@ -24,12 +25,7 @@ public final class Pauses implements AutoCloseable {
 
   private final Supplier<Moment> clock;
   private final ScheduledExecutorService timer =
-      Executors.newSingleThreadScheduledExecutor(
-          task -> {
-            Thread thread = new Thread(task, "gateway-beat");
-            thread.setDaemon(true);
-            return thread;
-          });
+      Executors.newSingleThreadScheduledExecutor(DaemonThreadFactory.named("gateway-beat"));
   private Moment lastBeat;
   private Duration length = Duration.ZERO;
 

@@ -8,6 +8,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 
 /**
  * A thread for each robot that is written to, with a queue, so that a slow robot delays no other
@@ -55,11 +56,7 @@ public final class RobotThreads {
             IDLE_SECONDS,
             TimeUnit.SECONDS,
             new ArrayBlockingQueue<>(MAX_WAITING),
-            task -> {
-              Thread thread = new Thread(task, prefix + robot);
-              thread.setDaemon(true);
-              return thread;
-            },
+            DaemonThreadFactory.named(prefix + robot),
             (task, pool) -> {
               throw new RejectedExecutionException(
                   pool.isShutdown() ? "the gateway ends" : MAX_WAITING + " commands are waiting");

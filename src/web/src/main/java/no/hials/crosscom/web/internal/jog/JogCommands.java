@@ -9,6 +9,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import no.hials.crosscom.cell.AuditLog;
+import no.hials.crosscom.cell.DaemonThreadFactory;
 import no.hials.crosscom.control.DriveSpace;
 import no.hials.crosscom.web.Role;
 import no.hials.crosscom.web.WebConfig;
@@ -41,13 +42,7 @@ public final class JogCommands implements AutoCloseable {
 
   /** Writes the lines of the audit log, which neither a loop nor a socket waits for. */
   private final ScheduledThreadPoolExecutor writer =
-      new ScheduledThreadPoolExecutor(
-          1,
-          task -> {
-            Thread thread = new Thread(task, "web-jog-audit");
-            thread.setDaemon(true);
-            return thread;
-          });
+      new ScheduledThreadPoolExecutor(1, DaemonThreadFactory.named("web-jog-audit"));
 
   public JogCommands(RobotSessions robots, AuditLog audit, Sockets sockets, WebConfig config) {
     this.robots = robots;

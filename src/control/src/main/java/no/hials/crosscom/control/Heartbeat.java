@@ -244,7 +244,7 @@ final class Heartbeat {
   KRLInt next() throws ControlRefusedException {
     long now = time.nanoTime();
     Guard.checkAtMost(
-        StopKind.WATCHDOG,
+        StopKind.LATE_HEARTBEAT,
         "the time between %s must be at most %s %s, is %s; the watchdog stops the program",
         "two heartbeats",
         (double) limitMillis,

@@ -39,6 +39,8 @@ public record StopReason(StopKind kind, String message, @Nullable Throwable caus
     PROGRAM,
     /** The watchdog on the controller does not see the heartbeat, or its setting has changed. */
     WATCHDOG,
+    /** The loop could not send the next heartbeat in the time of the watchdog. */
+    LATE_HEARTBEAT,
     /** Another client sends a heartbeat, so it moves the robot. */
     OTHER_DRIVER,
     /** The law threw an exception or returned an invalid command. */

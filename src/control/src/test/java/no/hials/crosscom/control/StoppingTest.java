@@ -418,7 +418,7 @@ class StoppingTest extends ControlTest {
             safe(s -> s.maxFeedbackAge(Duration.ofSeconds(1))),
             afterOneSecond(() -> time.awaitUntil(time.nanoTime() + 600_000_000)));
 
-    assertThat(reason.kind()).isEqualTo(StopKind.WATCHDOG);
+    assertThat(reason.kind()).isEqualTo(StopKind.LATE_HEARTBEAT);
     assertThat(reason.message())
         .startsWith("the time between two heartbeats must be at most 500 ms, is ")
         .endsWith("; the watchdog stops the program");

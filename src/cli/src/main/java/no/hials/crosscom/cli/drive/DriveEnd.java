@@ -34,6 +34,7 @@ final class DriveEnd {
           MODE,
           PROGRAM,
           WATCHDOG,
+          LATE_HEARTBEAT,
           OTHER_DRIVER ->
           ExitCode.REFUSED;
     };
@@ -74,6 +75,9 @@ final class DriveEnd {
                 + " variables of krl/config.dat, and krl/jov_sps.sub in the submit interpreter");
         hints.add("without it, --no-watchdog drives at your own risk");
       }
+      case LATE_HEARTBEAT ->
+          hints.add(
+              "this computer was asleep or too busy; start the program on the controller again");
       case STALE_FEEDBACK ->
           hints.add(
               "--max-delay allows older positions; --no-clock does not compare them with the clock"

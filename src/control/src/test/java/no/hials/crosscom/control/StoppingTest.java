@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
@@ -437,6 +438,27 @@ class StoppingTest extends ControlTest {
     cycles.join();
 
     assertThat(controller.robot().state()).isEqualTo(ProgramState.ACTIVE);
+  }
+
+  @Test
+  void aHeartbeatRightAfterATimeoutDoesNotKeepTheProgramRunning() throws Exception {
+    controller.submit().stop();
+    String beats = "    IF JOV_TIMEOUT THEN\n JOV_HEARTBEAT=JOV_HEARTBEAT+1\n ENDIF\n  ENDLOOP";
+    String watchdog = Files.readString(KRL.resolve("jov_sps.sub")).replace("  ENDLOOP", beats);
+    controller.submit().select(controller.load("jov_sps.sub", watchdog));
+    controller.submit().start();
+    run("ext_move_axis.src");
+    for (int i = 0; i < 50; i++) { // the cycles end at different statements of JOV_SPS
+      client.writeText("JOV_LIMIT", "50");
+      controller.step(Duration.ofMillis(120));
+      assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
+
+      client.writeText("JOV_LIMIT", "0");
+      controller.step(Duration.ofMillis(240));
+      controller.robot().start();
+      controller.step(Duration.ofMillis(24));
+      assertThat(controller.robot().state()).isEqualTo(ProgramState.ACTIVE);
+    }
   }
 
   @Test

@@ -231,28 +231,32 @@ final class Heartbeat {
     }
   }
 
+  /**
+   * Checks that the next beat is not too late for the watchdog, such as after the computer was
+   * asleep.
+   */
+  void checkInTime() throws ControlRefusedException {
+    if (isOn()) {
+      Guard.checkAtMost(
+          StopKind.LATE_HEARTBEAT,
+          "the time between %s must be at most %s %s, is %s; the watchdog stops the program",
+          "two heartbeats",
+          (double) limitMillis,
+          "ms",
+          (time.nanoTime() - last) / 1e6);
+    }
+  }
+
   boolean isDue() {
     return isOn() && time.nanoTime() - next >= 0;
   }
 
-  /**
-   * Returns the next beat to be written.
-   *
-   * @throws ControlRefusedException if it is too late for the watchdog, such as after the computer
-   *     was asleep
-   */
+  /** Returns the next beat to be written. */
   KRLInt next() throws ControlRefusedException {
-    long now = time.nanoTime();
-    Guard.checkAtMost(
-        StopKind.LATE_HEARTBEAT,
-        "the time between %s must be at most %s %s, is %s; the watchdog stops the program",
-        "two heartbeats",
-        (double) limitMillis,
-        "ms",
-        (now - last) / 1e6);
+    checkInTime();
     count();
-    last = now;
-    next = now + interval;
+    last = time.nanoTime();
+    next = last + interval;
     return beat;
   }
 

@@ -189,6 +189,7 @@ final class Runner<P> {
     lastBegin = begin;
     begun = true;
     meter.began(sinceLast, late);
+    heartbeat.checkInTime(); // before the checks that would find only what the watchdog did
     boolean beat = heartbeat.isDue();
     // in a slow loop a beat is due each time, which must not delay the checks forever
     read(begin - nextCheck >= (beat ? checkInterval : 0), beat, begin);

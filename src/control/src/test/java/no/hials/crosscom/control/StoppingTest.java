@@ -427,6 +427,30 @@ class StoppingTest extends ControlTest {
   }
 
   @Test
+  void aComputerThatWasAsleepIsTheReasonAndNotTheProgramThatHasStopped() throws Exception {
+    run("ext_move_axis.src");
+    AtomicBoolean sleeps = new AtomicBoolean();
+    LoopTime clock =
+        new LoopTime() {
+          @Override
+          public long nanoTime() {
+            return time.nanoTime();
+          }
+
+          @Override
+          public void awaitUntil(long nanoTime) {
+            time.awaitUntil(sleeps.get() ? nanoTime + 1_000_000_000 : nanoTime);
+          }
+        };
+    LoopConfig config = safe(s -> s.checkInterval(Duration.ofMillis(1)));
+    Law law = afterOneSecond(() -> sleeps.set(true));
+    try (ControlLoop loop = ControlLoop.start(client, config, law, clock)) {
+      assertThat(loop.await().kind()).isEqualTo(StopKind.LATE_HEARTBEAT);
+    }
+    assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
+  }
+
+  @Test
   void aProgramGoesOnWhenTheWatchdogIsSwitchedOffWhileItLooks() throws Exception {
     run("ext_move_axis.src");
     CompletableFuture<Void> cycles =

@@ -49,7 +49,7 @@ final class Heartbeat {
   private int limitBefore;
   private long next;
 
-  /** The time of the last beat, or when the first one was seen. */
+  /** The time of the last beat, or shortly before the first one was seen. */
   private long last;
 
   /** The heartbeat before the other checks; null if the controller does not have it. */
@@ -157,8 +157,10 @@ final class Heartbeat {
               "the watchdog of krl/config.dat is not on this controller: " + e.getMessage(),
               e));
     }
+    last = time.nanoTime();
     channel.write(beat);
     channel.writeInt(LIMIT, (int) limitMillis);
+    long asked = time.nanoTime();
     for (int i = 0; channel.readInt(SEEN) != beat.intValue(); i++) {
       if (i == ATTEMPTS) {
         end();
@@ -172,13 +174,14 @@ final class Heartbeat {
                 + channel.readInt(SEEN)
                 + "; JOV_SPS does not run");
       }
+      last = asked; // not seen then
       pause();
+      asked = time.nanoTime();
     }
-    last = time.nanoTime();
     // without a limit it sees the beats as well
     channel.read(limit);
     checkLimit();
-    next = last;
+    next = time.nanoTime();
     return limitBefore > 0;
   }
 

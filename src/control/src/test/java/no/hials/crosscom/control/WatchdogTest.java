@@ -10,6 +10,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import no.hials.crosscom.control.StopReason.StopKind;
 import no.hials.crosscom.protocol.code.ProgramState;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Stops a loop by the watchdog, and the program by a heartbeat that is missing. */
 class WatchdogTest extends ControlTest {
@@ -114,25 +116,35 @@ class WatchdogTest extends ControlTest {
     assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);
   }
 
-  @Test
-  void aComputerThatWasAsleepIsTheReasonAndNotTheProgramThatHasStopped() throws Exception {
-    run("ext_move_axis.src");
-    AtomicBoolean sleeps = new AtomicBoolean();
-    LoopTime clock =
-        new LoopTime() {
-          @Override
-          public long nanoTime() {
-            return time.nanoTime();
-          }
+  /** Returns the clock of a computer that sleeps for a second each time it waits. */
+  private LoopTime clockWhile(AtomicBoolean sleeps) {
+    return new LoopTime() {
+      @Override
+      public long nanoTime() {
+        return time.nanoTime();
+      }
 
-          @Override
-          public void awaitUntil(long nanoTime) {
-            time.awaitUntil(sleeps.get() ? nanoTime + 1_000_000_000 : nanoTime);
-          }
-        };
+      @Override
+      public void awaitUntil(long nanoTime) {
+        time.awaitUntil(sleeps.get() ? nanoTime + 1_000_000_000 : nanoTime);
+      }
+    };
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aComputerThatWasAsleepIsTheReasonAndNotTheProgramThatHasStopped(boolean atTheStart)
+      throws Exception {
+    run("ext_move_axis.src");
+    AtomicBoolean sleeps = new AtomicBoolean(atTheStart);
     LoopConfig config = safe(s -> s.checkInterval(Duration.ofMillis(1)));
-    Law law = afterOneSecond(() -> sleeps.set(true));
-    try (ControlLoop loop = ControlLoop.start(client, config, law, clock)) {
+    Law law =
+        Law.jointVelocity(
+            s -> {
+              sleeps.set(!atTheStart && s.time() > 1);
+              return TURNING;
+            });
+    try (ControlLoop loop = ControlLoop.start(client, config, law, clockWhile(sleeps))) {
       assertThat(loop.await().kind()).isEqualTo(StopKind.LATE_HEARTBEAT);
     }
     assertThat(controller.robot().state()).isEqualTo(ProgramState.STOP);

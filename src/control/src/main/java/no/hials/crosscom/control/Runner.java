@@ -167,6 +167,8 @@ final class Runner<P> {
         continue;
       }
       if (!config.duration().isZero() && now - start >= config.duration().toNanos()) {
+        long left = start + config.duration().toNanos() - next;
+        meter.missed(Math.max(0, -Math.floorDiv(-left, period)), false); // rounded up
         return new StopReason(
             StopKind.TIME_OVER, "the time of " + config.duration().toMillis() + " ms is over");
       }

@@ -151,6 +151,18 @@ class WatchdogTest extends ControlTest {
   }
 
   @Test
+  void cyclesThatWereMissedAtTheEndAreCounted() throws Exception {
+    run("ext_move_axis.src");
+    AtomicBoolean sleeps = new AtomicBoolean();
+    LoopConfig config = config(cfg -> cfg.duration(Duration.ofMillis(1499)));
+    Law law = afterOneSecond(() -> sleeps.set(true));
+    try (ControlLoop loop = ControlLoop.start(client, config, law, clockWhile(sleeps))) {
+      assertThat(loop.await().kind()).isEqualTo(StopKind.TIME_OVER);
+      assertThat(loop.statistics().cycles() + loop.statistics().missed()).isEqualTo(125);
+    }
+  }
+
+  @Test
   void aProgramGoesOnWhenTheWatchdogIsSwitchedOffWhileItLooks() throws Exception {
     run("ext_move_axis.src");
     CompletableFuture<Void> cycles =

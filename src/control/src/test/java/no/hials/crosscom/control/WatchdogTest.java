@@ -15,6 +15,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Stops a loop by the watchdog, and the program by a heartbeat that is missing. */
 class WatchdogTest extends ControlTest {
+  /** Runs another submit program in place of the watchdog. */
+  private void replaceSubmit(String name, String text) throws Exception {
+    controller.submit().stop();
+    controller.submit().select(controller.load(name, text));
+    controller.submit().start();
+  }
+
   @Test
   void theWatchdogStopsTheRobotWhenTheConnectionIsLost() throws Exception {
     run("ext_move_axis.src");
@@ -56,21 +63,16 @@ class WatchdogTest extends ControlTest {
   @Test
   void aWatchdogThatSeesTheHeartbeatWithoutALimitIsRefused() throws Exception {
     run("ext_move_axis.src");
-    controller.submit().stop();
-    controller
-        .submit()
-        .select(
-            controller.load(
-                "off.sub",
-                """
-                DEF OFF ( )
-                  LOOP
-                    JOV_LIMIT=0
-                    JOV_SEEN=JOV_HEARTBEAT
-                  ENDLOOP
-                END
-                """));
-    controller.submit().start();
+    replaceSubmit(
+        "off.sub",
+        """
+        DEF OFF ( )
+          LOOP
+            JOV_LIMIT=0
+            JOV_SEEN=JOV_HEARTBEAT
+          ENDLOOP
+        END
+        """);
 
     assertThatExceptionOfType(ControlRefusedException.class)
         .isThrownBy(() -> start(config(cfg -> {}), Law.jointVelocity(s -> TURNING)))
@@ -178,11 +180,9 @@ class WatchdogTest extends ControlTest {
 
   @Test
   void aHeartbeatRightAfterATimeoutDoesNotKeepTheProgramRunning() throws Exception {
-    controller.submit().stop();
     String beats = "    IF JOV_TIMEOUT THEN\n JOV_HEARTBEAT=JOV_HEARTBEAT+1\n ENDIF\n  ENDLOOP";
     String watchdog = Files.readString(KRL.resolve("jov_sps.sub")).replace("  ENDLOOP", beats);
-    controller.submit().select(controller.load("jov_sps.sub", watchdog));
-    controller.submit().start();
+    replaceSubmit("jov_sps.sub", watchdog);
     run("ext_move_axis.src");
     for (int i = 0; i < 50; i++) { // the cycles end at different statements of JOV_SPS
       client.writeText("JOV_LIMIT", "50");
